@@ -1,0 +1,105 @@
+#include "checks/lookup.h"
+#include "checks/vectors.h"
+
+#include <fmt/format.h>
+
+namespace testat {
+namespace {
+constexpr int questions_each = 256;
+
+/// Fractions of a texel: rounding down and rounding to nearest agree on the first, not on the second.
+struct Fractions {
+    double lo, hi;
+};
+constexpr Fractions lower_half{0.1, 0.4};
+constexpr Fractions upper_half{0.6, 0.9};
+
+LookupQuestion ask_texel(Random& random, TestTexture texture, int level, glm::ivec2 size, glm::ivec2 at, Fractions f)
+{
+    LookupQuestion q{static_cast<std::uint32_t>(texture), level, {}, {}};
+    store_uv({inside_texel(random, at.x, f.lo, f.hi), inside_texel(random, at.y, f.lo, f.hi)}, size, q.uv);
+    return q;
+}
+
+Group ask_inside(Random& random, Textures const& textures, TestTexture texture, int first_level, int last_level,
+                 Fractions f)
+{
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < questions_each; ++i) {
+        int const level = random.integer(first_level, last_level);
+        glm::ivec2 const size = level_size(at(textures, texture), level);
+        glm::ivec2 const place(random.integer(0, size.x - 1), random.integer(0, size.y - 1));
+        questions.push_back(ask_texel(random, texture, level, size, place, f));
+    }
+    return make_group(Kind::lookup, questions);
+}
+
+Group ask_negative(Random& random, Textures const& textures)
+{
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < questions_each; ++i) {
+        TestTexture const texture = i % 4 == 3 ? TestTexture::coded_wide_zero : TestTexture::coded_wide;
+        glm::ivec2 const size = level_size(at(textures, texture), 0);
+        // Up to three periods away at first, up to |u| = 1e4 towards the end.
+        int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;
+        glm::ivec2 const place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+        questions.push_back(ask_texel(random, texture, 0, size, place, lower_half));
+    }
+    return make_group(Kind::lookup, questions);
+}
+
+/// "texel (3, 5), level 0" for colours that code one.
+std::string name_texel(std::array<float, 4> const& colour)
+{
+    bool const coded = colour[3] == 1.f && colour[0] >= 0 && colour[1] >= 0 && colour[2] >= 0;
+    return coded ? fmt::format("texel ({:g}, {:g}), level {:g}", colour[1], colour[2], colour[0])
+                 : format_vector({colour.begin(), colour.end()});
+}
+
+/// Any texel that a coordinate within the float error can lie in.
+Deviation judge_texel(Answers const& answers, std::uint32_t index, LookupQuestion const& q, TextureData const& texture)
+{
+    glm::ivec2 const size = level_size(texture, q.level);
+    double const s = double(q.uv[0]) * size.x;
+    double const t = double(q.uv[1]) * size.y;
+    double const ds = coordinate_error(q.uv[0], size.x);
+    double const dt = coordinate_error(q.uv[1], size.y);
+    auto const measured = floats<4>(answers, index);
+    Deviation deviation{HUGE_VAL, name_texel(measured), ""};
+    for (int y = int(std::floor(t - dt)); y <= int(std::floor(t + dt)); ++y)
+        for (int x = int(std::floor(s - ds)); x <= int(std::floor(s + ds)); ++x) {
+            glm::dvec4 const right = texel(texture, q.level, x, y);
+            if (right == dvec4(measured.data()))
+                deviation.in_bounds = 0;
+            deviation.expected = name_texel({float(right.x), float(right.y), float(right.z), float(right.w)});
+        }
+    return deviation;
+}
+
+Verdict judge(Answers const& answers, Textures const& textures)
+{
+    return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
+        return judge_texel(answers, i, q, textures[q.texture]);
+    });
+}
+
+auto inside(TestTexture texture, int first_level, int last_level, Fractions f)
+{
+    return [=](Random& random, Textures const& textures) {
+        return ask_inside(random, textures, texture, first_level, last_level, f);
+    };
+}
+}  // namespace
+
+void add_evaluate_nearest_checks(std::vector<UnitCheck>& checks)
+{
+    auto const add = [&](char const* name, auto ask) {
+        checks.push_back({std::string("EvaluateNearest.") + name, Function::evaluate_nearest, ask, judge});
+    };
+    add("SquareLevelZero", inside(TestTexture::coded_square, 0, 0, lower_half));
+    add("NonSquareLevelZero", inside(TestTexture::coded_wide, 0, 0, lower_half));
+    add("HigherLevels", inside(TestTexture::coded_wide, 1, 5, lower_half));
+    add("UpperFractions", inside(TestTexture::coded_square, 0, 0, upper_half));
+    add("NegativeCoordinates", ask_negative);
+}
+}  // namespace testat

@@ -1,0 +1,222 @@
+#include "checks/check.h"
+#include "checks/matrices.h"
+#include "checks/shapes.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace testat {
+namespace {
+constexpr int questions_each = 256;
+
+Shape random_shape(Random& random)
+{
+    glm::dmat3 const frame(random_rotation(random));
+    glm::dvec3 const center = random_vector(random, 2);
+    switch (random.integer(0, 2)) {
+        case 0:
+            return make_sphere(center, random.uniform(0.5, 2), 1);
+        case 1:
+            return make_plane(center, frame[1], frame[0], 1);
+        default:
+            return make_quad(center, frame[0] * random.uniform(1, 4), frame[2] * random.uniform(1, 4));
+    }
+}
+
+/// Translation, rotation, a scale of its own for each axis, and a mirror every other time.
+glm::dmat4 random_transform(Random& random)
+{
+    glm::dmat4 const moved = glm::translate(glm::dmat4(1), random_vector(random, 5)) * random_rotation(random);
+    return glm::scale(moved, random_scale(random) * glm::dvec3(random.coin() ? -1 : 1, 1, 1));
+}
+
+/// A point in object space that a ray can be aimed at: on the shape, or clearly beside it.
+glm::dvec3 random_target(Random& random, Shape const& shape, bool hit)
+{
+    glm::dvec3 const center = dvec3(shape.center);
+    if (shape.kind == ShapeKind::sphere)
+        return center + random_direction(random) * double(shape.radius) * (hit ? 0.7 : 1.0);
+    double const reach = shape.kind == ShapeKind::quad ? (hit ? 0.4 : 0.9) : 2;
+    double const side = hit ? random.uniform(-reach, reach) : (random.coin() ? reach : -reach);
+    glm::dvec3 const a = shape.kind == ShapeKind::plane ? glm::cross(dvec3(shape.a), dvec3(shape.b)) : dvec3(shape.a);
+    return center + side * a + random.uniform(-reach, reach) * dvec3(shape.b);
+}
+
+/// Aims so that a hit is no graze and a miss is no near one.
+Line aim(Random& random, Shape const& shape, bool hit)
+{
+    for (;;) {
+        glm::dvec3 const target = random_target(random, shape, hit);
+        glm::dvec3 direction = random_direction(random);
+        if (!hit && shape.kind == ShapeKind::sphere)  // perpendicular to the radius, half a radius outside
+            direction = glm::normalize(glm::cross(direction, target - dvec3(shape.center)));
+        glm::dvec3 const outside =
+            !hit && shape.kind == ShapeKind::sphere ? 0.5 * (target - dvec3(shape.center)) : glm::dvec3(0);
+        Line ray{target + outside - direction * random.uniform(3, 10), direction};
+        if (!hit && shape.kind == ShapeKind::plane)
+            ray = {target - direction * 3.0, -direction};
+        auto const met = meet(shape, ray);
+        if (met.has_value() == hit && (!hit || (met->cosine > 0.3 && met->t > 0.5)))
+            return ray;
+    }
+}
+
+/// From inside a sphere: the far side is hit.
+Line aim_from_inside(Random& random, Shape const& sphere)
+{
+    return {dvec3(sphere.center) + random_direction(random) * double(sphere.radius) * 0.6, random_direction(random)};
+}
+
+IntersectQuestion make_question(Shape const& shape, glm::dmat4 const& object_to_world, Line const& object_ray)
+{
+    IntersectQuestion q{};
+    q.shape = shape;
+    q.transform_objects = 1;
+    store(object_to_world, q.object_to_world);
+    store(glm::dvec3(object_to_world * glm::dvec4(object_ray.origin, 1)), q.origin);
+    store(glm::normalize(glm::dvec3(object_to_world * glm::dvec4(object_ray.direction, 0))), q.direction);
+    return q;
+}
+
+IntersectQuestion ask_hit(Random& random)
+{
+    Shape const shape = random_shape(random);
+    bool const inside = shape.kind == ShapeKind::sphere && random.integer(0, 3) == 0;
+    return make_question(shape, random_transform(random),
+                         inside ? aim_from_inside(random, shape) : aim(random, shape, true));
+}
+
+IntersectQuestion ask_hit_or_miss(Random& random)
+{
+    Shape const shape = random_shape(random);
+    glm::dmat4 const transform = random_transform(random);
+    return make_question(shape, transform, aim(random, shape, random.coin()));
+}
+
+/// The matrix is there but must not be used.
+IntersectQuestion ask_untransformed(Random& random)
+{
+    Shape const shape = random_shape(random);
+    IntersectQuestion q = make_question(shape, glm::dmat4(1), aim(random, shape, random.coin()));
+    store(random_transform(random), q.object_to_world);
+    q.transform_objects = 0;
+    return q;
+}
+
+auto ask(IntersectQuestion (*make)(Random&))
+{
+    return [=](Random& random, Textures const&) {
+        std::vector<IntersectQuestion> questions;
+        for (int i = 0; i < questions_each; ++i)
+            questions.push_back(make(random));
+        return make_group(Kind::intersect, questions);
+    };
+}
+
+/// What is right in world space, with bounds.
+struct WorldHit {
+    Hit hit;
+    double position_bound;
+    double normal_bound;
+};
+
+/// Inverting the matrix, transforming the ray, meeting the shape and transforming back are 64 roundings at most, each
+/// of operands as large as origin and path together; the matrix passes them on by its condition, the hit by 1/cosine.
+std::optional<WorldHit> meet_in_world(IntersectQuestion const& q)
+{
+    glm::dmat4 const to_world = q.transform_objects != 0 ? dmat4(q.object_to_world) : glm::dmat4(1);
+    glm::dmat4 const to_object = glm::inverse(to_world);
+    Line const world{dvec3(q.origin), glm::normalize(dvec3(q.direction))};
+    Line const object{glm::dvec3(to_object * glm::dvec4(world.origin, 1)),
+                      glm::normalize(glm::dvec3(to_object * glm::dvec4(world.direction, 0)))};
+    auto const met = meet(q.shape, object);
+    if (!met)
+        return std::nullopt;
+    Hit hit = *met;
+    hit.position = glm::dvec3(to_world * glm::dvec4(met->position, 1));
+    hit.normal = glm::normalize(glm::transpose(glm::dmat3(to_object)) * met->normal);
+    hit.t = glm::length(hit.position - world.origin);
+    double const reach =
+        glm::length(world.origin) + hit.t + glm::length(glm::dvec3(to_world[3])) + glm::length(dvec3(q.shape.center));
+    double const k = condition(to_world);
+    double const position_bound = 64 * eps * k * reach / met->cosine;
+    double const size = q.shape.kind == ShapeKind::sphere ? q.shape.radius : reach;
+    return WorldHit{hit, position_bound, k * k * (position_bound / size + 16 * eps)};
+}
+
+Deviation compare_hit(Answers const& answers, std::uint32_t i, bool right)
+{
+    int const measured = integer(answers, i);
+    bool const equal = measured == (right ? 1 : 0);
+    return {equal ? 0 : HUGE_VAL, measured == 1 ? "true" : "false", right ? "true" : "false"};
+}
+
+std::vector<double> list(glm::dvec3 v)
+{
+    return {v.x, v.y, v.z};
+}
+
+Deviation compare_part(Answers const& answers, std::uint32_t i, std::size_t word, glm::dvec3 right, double bound,
+                       char const* name)
+{
+    auto const measured = floats<3>(answers, i, word);
+    Deviation d = compare({measured.begin(), measured.end()}, list(right), std::vector<double>(3, bound));
+    d.measured = fmt::format("isect->{} = {}", name, d.measured);
+    d.expected = fmt::format("isect->{} = {}", name, d.expected);
+    return d;
+}
+
+Deviation compare_distance(Answers const& answers, std::uint32_t i, WorldHit const& right)
+{
+    Deviation d = compare({floats<1>(answers, i, 1)[0]}, {right.hit.t}, {right.position_bound});
+    d.measured = "isect->t = " + d.measured;
+    d.expected = "isect->t = " + d.expected;
+    return d;
+}
+
+Deviation worst_of(std::initializer_list<Deviation> deviations)
+{
+    Deviation worst;
+    for (auto const& d : deviations)
+        if (!(d.in_bounds <= worst.in_bounds))
+            worst = d;
+    return worst;
+}
+
+Deviation compare_place(Answers const& answers, std::uint32_t i, WorldHit const& right)
+{
+    return worst_of({compare_part(answers, i, 2, right.hit.position, right.position_bound, "position"),
+                     compare_part(answers, i, 5, right.hit.normal, right.normal_bound, "normal"),
+                     compare_part(answers, i, 8, right.hit.normal, right.normal_bound, "geometric_normal")});
+}
+
+enum class Judged { hit, distance, place, all };
+
+auto judge(Judged what)
+{
+    return [=](Answers const& answers, Textures const&) {
+        return judge_each<IntersectQuestion>(answers, [&](IntersectQuestion const& q, std::uint32_t i) {
+            auto const right = meet_in_world(q);
+            Deviation hit = compare_hit(answers, i, right.has_value());
+            if (!right || what == Judged::hit || !(hit.in_bounds <= 1))
+                return hit;
+            if (what == Judged::distance)
+                return compare_distance(answers, i, *right);
+            Deviation const place = compare_place(answers, i, *right);
+            return what == Judged::place ? place : worst_of({place, compare_distance(answers, i, *right)});
+        });
+    };
+}
+}  // namespace
+
+void add_intersect_checks(std::vector<UnitCheck>& checks)
+{
+    auto const add = [&](char const* name, auto make, Judged what) {
+        checks.push_back({std::string("Intersect.") + name, Function::intersect, ask(make), judge(what)});
+    };
+    add("HitsAndMisses", ask_hit_or_miss, Judged::hit);
+    add("DistanceInTheWorld", ask_hit, Judged::distance);
+    add("PlaceInTheWorld", ask_hit, Judged::place);
+    add("TransformsOff", ask_untransformed, Judged::all);
+}
+}  // namespace testat

@@ -1,0 +1,118 @@
+#include "checks/pictures.h"
+
+#include "envelopes/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace testat {
+namespace {
+/// Texels of mip levels this small may not differ at all.
+constexpr int small_level_texels = 64;
+
+std::size_t count_outside(Picture const& picture, Envelope const& envelope)
+{
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < picture.rgb.size() / 3; ++i)
+        outside += envelope.is_outside(&picture.rgb[3 * i], i) ? 1 : 0;
+    return outside;
+}
+
+bool small_levels_differ(Picture const& picture, Envelope const& envelope)
+{
+    for (int level = 0; level < checker_levels; ++level) {
+        LevelPlace const place = place_of_level(level);
+        if (place.size.x * place.size.y > small_level_texels)
+            continue;
+        for (int y = 0; y < place.size.y; ++y)
+            for (int x = 0; x < place.size.x; ++x) {
+                auto const i = std::size_t((place.corner.y + y) * picture.width + place.corner.x + x);
+                if (envelope.is_outside(&picture.rgb[3 * i], i))
+                    return true;
+            }
+    }
+    return false;
+}
+
+void measure_error(Picture const& picture, Picture const& expected, Comparison& comparison)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < expected.rgb.size(); ++i) {
+        double const error = std::abs(double(picture.rgb[i]) - expected.rgb[i]);
+        double const counted = std::isfinite(error) ? error : HUGE_VAL;
+        sum += counted * counted;
+        comparison.max_error = std::max(comparison.max_error, counted);
+    }
+    comparison.rms = std::sqrt(sum / double(expected.rgb.size()));
+}
+
+Ended end_of(Observations const& observations, std::string const& group)
+{
+    auto const found = observations.groups.find(group);
+    return found == observations.groups.end() ? Ended::lost : found->second.status.ended;
+}
+
+std::optional<Picture> picture_of(Observations const& observations, std::string const& group)
+{
+    auto const found = observations.groups.find(group);
+    return found == observations.groups.end() ? std::nullopt : read_picture(found->second);
+}
+
+double work_ms(Observations const& observations, std::string const& group)
+{
+    auto const found = observations.groups.find(group);
+    return found == observations.groups.end() ? 0 : 1e3 * found->second.status.work_s;
+}
+}  // namespace
+
+double picture_score(std::size_t outside, std::size_t limit, std::size_t all)
+{
+    if (outside <= limit)
+        return 1;
+    double const shift = limit == 0 ? 1 : 0;  // so that one pixel too many already counts
+    double const from = double(limit) + shift;
+    double const share = std::log((double(outside) + shift) / from) / std::log((double(all) + shift) / from);
+    return std::clamp(1 - share, 0.0, 1.0);
+}
+
+Comparison compare_picture(std::string const& name, Picture const& picture, Envelope const& envelope)
+{
+    Comparison comparison;
+    std::size_t const all = envelope.expected.rgb.size() / 3;
+    comparison.outside = all;
+    if (picture.rgb.size() != envelope.expected.rgb.size())
+        return comparison;
+    comparison.outside = count_outside(picture, envelope);
+    bool const strict = name == miplevels && small_levels_differ(picture, envelope);
+    comparison.limit = strict ? 0 : std::max<std::size_t>(4, std::size_t(1e-4 * double(all)));
+    comparison.score = picture_score(comparison.outside, comparison.limit, all);
+    measure_error(picture, envelope.expected, comparison);
+    return comparison;
+}
+
+PictureResult judge_picture(std::string const& name, std::vector<Function> const& functions,
+                            Observations const& observations, std::filesystem::path const& envelopes)
+{
+    Envelope const envelope = read_envelope(envelopes / (name + ".envelope"));
+    PictureResult result;
+    result.name = name;
+    result.functions = functions;
+    result.expected = envelope.expected;
+    result.reference_ms = envelope.reference_ms;
+    result.isolated_ended = end_of(observations, "isolated/" + name);
+    result.submitted_ended = end_of(observations, "submitted/" + name);
+    result.submitted_asked = observations.groups.count("submitted/" + name) > 0;
+    result.isolated = picture_of(observations, "isolated/" + name);
+    result.submitted = picture_of(observations, "submitted/" + name);
+    result.ms = work_ms(observations, "submitted/" + name);
+
+    Comparison const comparison = compare_picture(name, result.isolated.value_or(Picture{}), envelope);
+    result.outside = comparison.outside;
+    result.limit = comparison.limit;
+    result.score = comparison.score;
+    result.rms = comparison.rms;
+    result.max_error = comparison.max_error;
+    result.submitted_outside = compare_picture(name, result.submitted.value_or(Picture{}), envelope).outside;
+    return result;
+}
+}  // namespace testat

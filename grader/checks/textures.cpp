@@ -1,0 +1,116 @@
+#include "checks/textures.h"
+
+#include "checks/random.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace testat {
+namespace {
+using Colour = std::function<glm::vec4(int level, int x, int y)>;
+
+TextureData::Level make_level(int level, int width, int height, Colour const& colour)
+{
+    TextureData::Level made{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::vec4 const c = colour(level, x, y);
+            made.texels.insert(made.texels.end(), {c.r, c.g, c.b, c.a});
+        }
+    return made;
+}
+
+/// All levels down to 1 x 1.
+TextureData with_levels(int width, int height, Wrap wrap, Colour const& colour)
+{
+    TextureData texture{static_cast<std::uint32_t>(wrap), {}};
+    for (int level = 0;; ++level) {
+        texture.levels.push_back(make_level(level, width, height, colour));
+        if (width == 1 && height == 1)
+            return texture;
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+    }
+}
+
+TextureData level_zero_only(int width, int height, Colour const& colour)
+{
+    return {static_cast<std::uint32_t>(Wrap::repeat), {make_level(0, width, height, colour)}};
+}
+
+glm::vec4 coded(int level, int x, int y)
+{
+    return {float(level), float(x), float(y), 1.f};
+}
+
+/// Independent colours in [0, 1), multiples of 2^-12.
+Colour noise(Random& random)
+{
+    return [&random](int, int, int) {
+        glm::vec4 c;
+        for (int i = 0; i < 4; ++i)
+            c[i] = float(random.integer(0, 4095)) / 4096.f;
+        return c;
+    };
+}
+
+/// Any two neighbours differ by at least a quarter, also across the seam.
+float stripe(int i)
+{
+    constexpr float values[] = {0.125f,  0.75f, 0.25f,   1.f,     0.f,     0.875f,  0.375f,  0.625f,
+                                0.0625f, 0.5f,  0.9375f, 0.3125f, 0.6875f, 0.1875f, 0.8125f, 0.4375f};
+    return values[i % 16];
+}
+
+glm::vec4 stripes(int, int x, int y)
+{
+    return {stripe(x), stripe(15 - x), stripe(y), stripe(15 - y)};
+}
+
+int wrapped(int i, int size, Wrap wrap)
+{
+    if (wrap == Wrap::clamp)
+        return std::clamp(i, 0, size - 1);
+    int const remainder = i % size;
+    return remainder < 0 ? remainder + size : remainder;
+}
+}  // namespace
+
+Textures make_test_textures(std::uint64_t seed)
+{
+    Random random(seed, "textures");
+    glm::vec4 const one_colour = noise(random)(0, 0, 0) + 0.125f;
+    auto const constant = [=](int, int, int) { return one_colour; };
+    auto const noisy = noise(random);
+    Textures textures;
+    textures.push_back(with_levels(16, 16, Wrap::repeat, coded));
+    textures.push_back(with_levels(32, 8, Wrap::repeat, coded));
+    textures.push_back(with_levels(32, 8, Wrap::zero, coded));
+    textures.push_back(with_levels(8, 8, Wrap::repeat, constant));
+    textures.push_back(with_levels(32, 32, Wrap::repeat, noisy));
+    textures.push_back(with_levels(64, 16, Wrap::repeat, noisy));
+    textures.push_back(with_levels(16, 16, Wrap::repeat, stripes));
+    for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
+        textures.push_back(level_zero_only(size.x, size.y, noisy));
+    return textures;
+}
+
+glm::ivec2 level_size(TextureData const& texture, int level)
+{
+    auto const& data = texture.levels.at(std::size_t(level));
+    return {data.width, data.height};
+}
+
+glm::dvec4 texel(TextureData const& texture, int level, int x, int y)
+{
+    auto const& data = texture.levels.at(std::size_t(level));
+    auto const wrap = static_cast<Wrap>(texture.wrap_mode);
+    bool const inside = x >= 0 && x < data.width && y >= 0 && y < data.height;
+    if (wrap == Wrap::zero && !inside)
+        return glm::dvec4(0);
+    auto const column = std::size_t(wrapped(x, data.width, wrap));
+    auto const row = std::size_t(wrapped(y, data.height, wrap));
+    float const* at = &data.texels[4 * (row * std::size_t(data.width) + column)];
+    return {at[0], at[1], at[2], at[3]};
+}
+}  // namespace testat

@@ -1,0 +1,46 @@
+#pragma once
+#include "protocol/request.h"
+
+#include <glm/glm.hpp>
+
+namespace testat {
+/// The textures of the unit checks, in the order in which requests send them. "Noise" has no symmetry, and its levels
+/// are independent of each other, so that a wrong level, axis or neighbour always shows.
+enum class TestTexture : std::uint32_t {
+    coded_square,     ///< 16 x 16, repeat; the colour of a texel is (level, x, y, 1)
+    coded_wide,       ///< 32 x 8, repeat, the same
+    coded_wide_zero,  ///< 32 x 8, zero outside, the same
+    constant,         ///< 8 x 8, one colour on every level
+    noise_square,     ///< 32 x 32, repeat
+    noise_wide,       ///< 64 x 16, repeat
+    stripes,          ///< 16 x 16, repeat; r and g change along s only, b and a along t only
+    mip_small,        ///< 8 x 8, level 0 only, as all that follow
+    mip_square,       ///< 64 x 64
+    mip_wide,         ///< 32 x 8
+    mip_high,         ///< 4 x 64
+    mip_row,          ///< 16 x 1
+    mip_column,       ///< 1 x 16
+    mip_pair,         ///< 2 x 1
+    mip_single,       ///< 1 x 1
+    count
+};
+
+/// Wrap modes as the framework numbers them.
+enum class Wrap : std::uint32_t { repeat = 0, clamp = 1, zero = 2 };
+
+using Textures = std::vector<TextureData>;
+
+/// All of TestTexture. The same seed gives the same bytes.
+Textures make_test_textures(std::uint64_t seed);
+
+inline TextureData const& at(Textures const& textures, TestTexture which)
+{
+    return textures[static_cast<std::uint32_t>(which)];
+}
+
+/// Size of a level.
+glm::ivec2 level_size(TextureData const& texture, int level);
+
+/// What get_texel of the framework gives for any x and y: wrapped by the texture's mode.
+glm::dvec4 texel(TextureData const& texture, int level, int x, int y);
+}  // namespace testat

@@ -1,0 +1,83 @@
+#include "checks/check.h"
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+constexpr int questions_each = 512;
+/// Far enough for every picture, near enough for a loop or a recursion that adds `size` again and again.
+int farthest(int size)
+{
+    return std::min(1'000'000, 10'000 * size);
+}
+
+int repeat(int val, int size)
+{
+    int const remainder = val % size;
+    return remainder < 0 ? remainder + size : remainder;
+}
+
+int clamp(int val, int size)
+{
+    return std::clamp(val, 0, size - 1);
+}
+
+int any_size(Random& random)
+{
+    constexpr int sizes[] = {1, 2, 3, 5, 6, 7, 8, 64, 100, 1024};
+    return sizes[random.integer(0, int(std::size(sizes)) - 1)];
+}
+
+/// Every value from `first` to `last` periods once with size 6 (the sheet's figure), then random ones.
+template <typename Pick>
+Group ask(Random& random, int first, int last, Pick const& pick)
+{
+    std::vector<WrapQuestion> questions;
+    for (int val = first; val <= last; ++val)
+        questions.push_back({val, 6});
+    while (questions.size() < questions_each) {
+        int const size = any_size(random);
+        questions.push_back({pick(random, size), size});
+    }
+    return make_group(Kind::wrap, questions);
+}
+
+Group ask_inside(Random& random, Textures const&)
+{
+    return ask(random, 0, 5, [](Random& r, int size) { return r.integer(0, size - 1); });
+}
+
+Group ask_behind(Random& random, Textures const&)
+{
+    return ask(random, 6, 24,
+               [](Random& r, int size) { return r.integer(size, r.coin() ? 4 * size : farthest(size)); });
+}
+
+Group ask_negative(Random& random, Textures const&)
+{
+    return ask(random, -24, -1,
+               [](Random& r, int size) { return r.integer(r.coin() ? -4 * size : -farthest(size), -1); });
+}
+
+auto judge_with(int (*oracle)(int, int))
+{
+    return [oracle](Answers const& answers, Textures const&) {
+        return judge_each<WrapQuestion>(answers, [&](WrapQuestion const& q, std::uint32_t i) {
+            int const measured = integer(answers, i);
+            int const right = oracle(q.val, q.size);
+            return Deviation{measured == right ? 0 : HUGE_VAL, std::to_string(measured), std::to_string(right)};
+        });
+    };
+}
+}  // namespace
+
+void add_wrap_checks(std::vector<UnitCheck>& checks)
+{
+    checks.push_back({"WrapClamp.InsideTheRange", Function::wrap_clamp, ask_inside, judge_with(clamp)});
+    checks.push_back({"WrapClamp.NegativeIndices", Function::wrap_clamp, ask_negative, judge_with(clamp)});
+    checks.push_back({"WrapClamp.BeyondTheEnd", Function::wrap_clamp, ask_behind, judge_with(clamp)});
+    checks.push_back({"WrapRepeat.InsideTheRange", Function::wrap_repeat, ask_inside, judge_with(repeat)});
+    checks.push_back({"WrapRepeat.BeyondTheEnd", Function::wrap_repeat, ask_behind, judge_with(repeat)});
+    checks.push_back({"WrapRepeat.NegativeIndices", Function::wrap_repeat, ask_negative, judge_with(repeat)});
+}
+}  // namespace testat

@@ -1,0 +1,153 @@
+#include "compile/compile.h"
+
+#include "compile/diagnostics.h"
+#include "compile/symbols.h"
+#include "process/run.h"
+#include "source/definitions.h"
+#include "text.h"
+
+#include <chrono>
+#include <fstream>
+
+namespace testat {
+namespace {
+constexpr char source_name[] = "exercise_03.cpp";
+constexpr char library_name[] = "upload.so";
+constexpr double compiler_cpu_s = 20;
+constexpr double compiler_wall_s = 60;
+constexpr std::size_t compiler_memory = std::size_t(2) << 30;
+constexpr std::size_t compiler_file_size = std::size_t(64) << 20;
+
+using Arguments = std::vector<std::string>;
+
+void append(Arguments& to, Arguments const& more)
+{
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+bool is_clang(CompileOptions const& options)
+{
+    return options.compiler.find("clang") != std::string::npos;
+}
+
+/// Empty if no header was precompiled for this compiler and standard.
+Arguments precompiled_header(CompileOptions const& options, Installation const& where)
+{
+    auto const header = where.headers / options.compiler / options.standard / "submission.h";
+    if (is_clang(options)) {
+        auto const pch = header.string() + ".pch";
+        return std::filesystem::exists(pch) ? Arguments{"-include-pch", pch} : Arguments{};
+    }
+    return std::filesystem::exists(header.string() + ".gch") ? Arguments{"-include", header.string()} : Arguments{};
+}
+
+Arguments compiler_call(CompileOptions const& options, Installation const& where, Arguments const& header)
+{
+    // Kept equal to the flags of the precompiled header in grader/CMakeLists.txt.
+    Arguments call{options.compiler,
+                   "-std=" + options.standard,
+                   "-O1",
+                   "-fPIC",
+                   "-fsemantic-interposition",
+                   "-ffp-contract=off",
+                   "-DGLM_ENABLE_EXPERIMENTAL",
+                   "-D_USE_MATH_DEFINES"};
+    append(call, header);
+    append(call, {"-I" + where.include.string(), "-fdiagnostics-color=never", "-ftemplate-depth=256",
+                  is_clang(options) ? "-ferror-limit=20" : "-fmax-errors=20",
+                  // #line could make the compiler quote any file of ours.
+                  is_clang(options) ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret"});
+    append(call, {"-shared", "-fuse-ld=mold", "-Wl,-z,defs", "-Wl,--as-needed", source_name, "-o", library_name,
+                  (where.libraries / "libtestat_trampolines.so").string(),
+                  (where.libraries / "libtestat_framework.so").string()});
+    return call;
+}
+
+Finished call_compiler(Arguments const& call, std::filesystem::path const& directory)
+{
+    return run({call, directory, {}, compiler_cpu_s, compiler_wall_s, compiler_memory, compiler_file_size});
+}
+
+/// A full disk is our trouble, whatever the compiler says about it.
+void check_space(std::filesystem::path const& directory)
+{
+    constexpr std::uintmax_t enough = 16 << 20;
+    if (std::filesystem::space(directory).available < enough)
+        throw std::runtime_error("no space left in " + directory.string());
+}
+
+void write_source(Submission const& submission, std::filesystem::path const& directory)
+{
+    std::ofstream out(directory / source_name, std::ios::binary);
+    out << submission.text;
+    if (!out.flush())
+        throw std::runtime_error("cannot write " + (directory / source_name).string());
+}
+
+Diagnostic failure_without_message(Finished const& compiler)
+{
+    std::string const why = compiler.timed_out     ? "the compiler needed more than 20 s and was stopped"
+                            : compiler.signal != 0 ? "the compiler crashed or ran out of memory"
+                                                   : "the compiler failed: " + clean_text(compiler.output, 400);
+    return {"", 0, 0, "error", why};
+}
+
+void note_failure(Finished const& compiler, Submission const& submission, Build& build)
+{
+    build.diagnostics = parse_diagnostics(compiler.output, source_name, submission.file);
+    bool const explained = !build.diagnostics.empty() && build.diagnostics.front().severity != "note";
+    if (compiler.timed_out || compiler.signal != 0 || !explained)
+        build.diagnostics.insert(build.diagnostics.begin(), failure_without_message(compiler));
+}
+
+std::string describe(std::string const& compiler)
+{
+    std::string const text = run({{compiler, "--version"}, "/", {}, 10, 30}).output;
+    return clean_text(std::string_view(text).substr(0, text.find('\n')), 120);
+}
+
+void run_compiler(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
+                  Installation const& where, Build& build)
+{
+    Arguments const header = precompiled_header(options, where);
+    Finished compiler = call_compiler(compiler_call(options, where, header), directory);
+    if (compiler.exit_code != 0 && !compiler.timed_out && !header.empty())
+        compiler = call_compiler(compiler_call(options, where, {}), directory);
+    if (compiler.exit_code != 0) {
+        check_space(directory);
+        return note_failure(compiler, submission, build);
+    }
+    build.library = directory / library_name;
+    auto symbols = check_symbols(build.library, submission.file, where);
+    build.defined = symbols.defined;
+    build.ok = symbols.diagnostics.empty();
+    build.diagnostics = std::move(symbols.diagnostics);
+}
+
+std::map<Function, SourceExcerpt> excerpts(std::string_view text)
+{
+    constexpr std::size_t longest = 20'000;
+    std::map<Function, SourceExcerpt> result;
+    for (auto const& d : find_definitions(text))
+        result[d.function] = {d.line, clean_text(text.substr(d.begin, d.end - d.begin), longest)};
+    return result;
+}
+}  // namespace
+
+Build compile(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
+              Installation const& where)
+{
+    auto const start = std::chrono::steady_clock::now();
+    Build build;
+    build.compiler = describe(options.compiler);
+    if (submission.refused) {
+        build.diagnostics.push_back({submission.file, 0, 0, "error", *submission.refused});
+        return build;
+    }
+    build.sources = excerpts(submission.text);
+    write_source(submission, directory);
+    run_compiler(submission, options, directory, where, build);
+    build.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return build;
+}
+}  // namespace testat

@@ -1,0 +1,103 @@
+#include "compile/symbols.h"
+
+#include "process/run.h"
+#include "text.h"
+
+#include <cxxabi.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+
+namespace testat {
+namespace {
+struct Symbol {
+    char type;  ///< as nm prints it
+    std::string name;
+};
+
+std::vector<Symbol> read_symbols(std::filesystem::path const& library)
+{
+    Finished const nm = run({{"nm", "-D", "--defined-only", library.string()}, "/", {}, 10, 30});
+    if (nm.exit_code != 0)
+        throw std::runtime_error("nm cannot read " + library.string() + ": " + clean_text(nm.output, 300));
+    std::vector<Symbol> symbols;
+    std::istringstream lines(nm.output);
+    std::string address;
+    Symbol symbol;
+    while (lines >> address >> symbol.type >> symbol.name)
+        symbols.push_back(symbol);
+    return symbols;
+}
+
+bool is_strong(Symbol const& symbol)
+{
+    return std::string("TDBR").find(symbol.type) != std::string::npos;
+}
+
+std::set<std::string> framework_symbols(Installation const& where)
+{
+    std::ifstream in(where.libraries / "framework_symbols.txt");
+    std::set<std::string> names;
+    for (std::string name; std::getline(in, name);)
+        names.insert(name);
+    if (names.empty())
+        throw std::runtime_error((where.libraries / "framework_symbols.txt").string() + " is missing or empty");
+    return names;
+}
+
+/// The C++ declaration of a mangled name; the name itself if it is no such name or suspiciously long.
+std::string demangle(std::string const& name)
+{
+    constexpr std::size_t longest = 300;
+    if (name.size() > longest)
+        return clean_text(name, 100);
+    int status = 0;
+    std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status),
+                                                std::free);
+    return clean_text(status == 0 ? text.get() : name.c_str(), 400);
+}
+
+bool declares(std::string const& declaration, std::string_view function)
+{
+    std::size_t const at = declaration.find(std::string(function) + "(");
+    return at == 0 || (at != std::string::npos && declaration[at - 1] == ':');
+}
+
+Diagnostic error(std::string const& file, std::string const& message)
+{
+    return {file, 0, 0, "error", message};
+}
+
+std::string explain_missing(Function f, std::vector<Symbol> const& symbols)
+{
+    std::string const wanted = demangle(std::string(info(f).symbol));
+    for (auto const& symbol : symbols)
+        if (std::string const found = demangle(symbol.name); declares(found, info(f).name))
+            return "undefined reference: " + wanted + " is missing; the file defines " + found +
+                   " instead (the declaration was changed)";
+    return "undefined reference: " + wanted + " is missing";
+}
+}  // namespace
+
+SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where)
+{
+    auto const symbols = read_symbols(library);
+    auto const taken = framework_symbols(where);
+    SymbolReport report;
+    for (auto const& symbol : symbols) {
+        for (Function f : every_function())
+            if (symbol.name == info(f).symbol && (is_strong(symbol) || symbol.type == 'W'))
+                report.defined = report.defined.with(f);
+        if (is_strong(symbol) && (taken.count(symbol.name) > 0 || symbol.name == "main"))
+            report.diagnostics.push_back(
+                error(shown, "multiple definition: " + demangle(symbol.name) + " is part of the framework already"));
+    }
+    for (Function f : every_function())
+        if (!report.defined.has(f))
+            report.diagnostics.push_back(error(shown, explain_missing(f, symbols)));
+    return report;
+}
+}  // namespace testat

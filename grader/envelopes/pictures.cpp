@@ -1,0 +1,72 @@
+#include "envelopes/pictures.h"
+
+#include "answers.h"
+#include "envelopes/mip_levels.h"
+
+#include <limits>
+
+namespace testat {
+namespace {
+Picture blank(int width, int height)
+{
+    return {width, height, std::vector<float>(3 * std::size_t(width) * std::size_t(height))};
+}
+
+float* pixel(Picture& picture, glm::ivec2 at)
+{
+    return &picture.rgb[3 * (std::size_t(at.y) * std::size_t(picture.width) + std::size_t(at.x))];
+}
+
+void draw_level(MipLevels const& levels, int level, Picture& picture)
+{
+    LevelPlace const place = place_of_level(level);
+    bool const there = std::size_t(level) < levels.sizes.size() && levels.sizes[std::size_t(level)] == place.size;
+    for (int y = 0; y < place.size.y; ++y)
+        for (int x = 0; x < place.size.x; ++x) {
+            glm::dvec4 const colour =
+                there ? levels.texel(level, x, y) : glm::dvec4(std::numeric_limits<double>::quiet_NaN());
+            for (int c = 0; c < 3; ++c)
+                pixel(picture, place.corner + glm::ivec2(x, y))[c] = float(colour[c]);
+        }
+}
+
+Picture draw_levels(MipLevels const& levels)
+{
+    Picture picture = blank(checker_side * 3 / 2, checker_side);
+    for (int level = 0; level < checker_levels; ++level)
+        draw_level(levels, level, picture);
+    return picture;
+}
+}  // namespace
+
+LevelPlace place_of_level(int level)
+{
+    if (level == 0)
+        return {{0, 0}, glm::ivec2(checker_side)};
+    int const side = checker_side >> level;
+    // Sides 64, 32, ... stacked: each level begins where the one before ends.
+    int const below = checker_side - 2 * side;
+    return {{checker_side, below}, glm::ivec2(side)};
+}
+
+Group picture_group(std::string const& picture)
+{
+    PictureQuestion q{};
+    picture.copy(q.name, sizeof q.name - 1);
+    Group group = make_group(Kind::picture, std::vector<PictureQuestion>{q});
+    group.words_per_answer = picture == miplevels ? MipmapLayout::words(mip_texel_count(glm::ivec2(checker_side)))
+                                                  : 3 * picture_side * picture_side;
+    return group;
+}
+
+std::optional<Picture> read_picture(Answers const& answers)
+{
+    if (answers.status.ended != Ended::answered)
+        return std::nullopt;
+    if (question<PictureQuestion>(answers.group, 0).name == std::string(miplevels))
+        return draw_levels(read_mip_levels(answers, 0));
+    Picture picture = blank(picture_side, picture_side);
+    std::memcpy(picture.rgb.data(), answers.words.data(), 4 * picture.rgb.size());
+    return picture;
+}
+}  // namespace testat

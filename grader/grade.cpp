@@ -1,0 +1,87 @@
+#include "grade.h"
+
+#include "checks/run_checks.h"
+#include "observe/observe.h"
+#include "process/run.h"
+#include "report/pictures.h"
+#include "score/score.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+
+namespace testat {
+namespace {
+Rubric select(Rubric rubric, GradeOptions const& options)
+{
+    if (!options.tasks.empty())
+        rubric = only_tasks(std::move(rubric), options.tasks);
+    return options.for_tutor ? rubric : only_public(std::move(rubric));
+}
+
+Observations observe_if_built(Build const& build, Questions const& questions, Installation const& where)
+{
+    return build.library.empty() ? Observations{} : observe(build, questions.request, where);
+}
+
+void explain_pictures(CheckResults& results, Build const& build, Installation const& where)
+{
+    Request const request = repair_questions(results);
+    if (!request.groups.empty())
+        explain(results, observe(build, request, where), where);
+}
+
+/// The pipeline.
+Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOptions const& options,
+                    Installation const& where)
+{
+    auto const start = std::chrono::steady_clock::now();
+    TemporaryDirectory const workplace;
+    Build const build = compile(submission, {options.compiler, rubric.standard}, workplace.path(), where);
+    Questions const questions = make_questions(rubric, build.defined, build.ok, options.seed);
+    Observations const observations = observe_if_built(build, questions, where);
+    CheckResults results = check(observations, questions, rubric, where);
+    explain_pictures(results, build, where);
+    Grade const grade = score(results, build, rubric, options.lenient);
+    write_pictures(results, options.out, where.envelopes);
+
+    double const total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return make_report(submission, build, results, grade, rubric, {rubric.version, questions.sha256, questions.seed},
+                       {build.ms, observations.ms, results.ms, total}, {options.for_tutor});
+}
+
+void make_directory(std::filesystem::path const& directory)
+{
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (!std::filesystem::is_directory(directory))
+        throw std::invalid_argument("--out " + directory.string() + ": cannot be made: " + error.message());
+    if (std::filesystem::exists(directory / "pictures") && !std::filesystem::exists(directory / "report.json"))
+        throw std::invalid_argument("--out " + directory.string() +
+                                    ": holds 'pictures' that are not ours; choose another");
+    auto const trial = directory / (".testat-" + std::to_string(getpid()));
+    bool const writable = std::ofstream(trial).is_open();
+    std::filesystem::remove(trial, error);
+    if (!writable)
+        throw std::invalid_argument("--out " + directory.string() + ": cannot be written to");
+}
+}  // namespace
+
+Report grade(GradeOptions const& options, Installation const& where)
+{
+    Submission const submission = read_submission(options.file);
+    Rubric const rubric = select(read_rubric(where.rubric), options);
+    make_directory(options.out);
+    Report report;
+    try {
+        report = run_pipeline(submission, rubric, options, where);
+    } catch (Interrupted const&) {
+        throw;
+    } catch (std::exception const& e) {
+        report = make_not_gradable(submission, {rubric.version, "", options.seed}, e.what());
+    }
+    write_atomically(options.out / "report.json", to_text(report));
+    return report;
+}
+}  // namespace testat

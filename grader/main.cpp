@@ -1,0 +1,160 @@
+// The command line of testat: what to do and with which exit code to end (DESIGN.md, Commands).
+#include "doctor.h"
+#include "grade.h"
+#include "json_schema.h"
+#include "process/run.h"
+#include "report/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace {
+using namespace testat;
+
+enum Exit { done = 0, wrong_usage = 2, not_gradable = 3, interrupted = 130 };
+
+/// --lang, else the language of the environment.
+Language language(std::string const& wanted)
+{
+    if (!wanted.empty())
+        return wanted == "de" ? Language::de : Language::en;
+    for (char const* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
+        if (char const* value = std::getenv(name); value != nullptr && *value != '\0')
+            return std::string(value).rfind("de", 0) == 0 ? Language::de : Language::en;
+    return Language::en;
+}
+
+struct GradeCommand {
+    GradeOptions options;
+    std::vector<std::string> tasks;
+    std::vector<std::string> formats{"json"};
+    std::string language;
+    std::string profile = "tutor";
+    bool no_sandbox = false;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("grade", "Grade one exercise_03.cpp and write a report");
+        command->add_option("FILE", options.file, "The file to grade")->required();
+        command->add_option("--out", options.out, "Directory of report.json (default: testat-out/<stem>)");
+        command->add_option("--tasks", tasks, "Only these tasks, such as a,c")->delimiter(',');
+        command->add_option("--seed", options.seed, "Seed of the random inputs")
+            ->check(CLI::Range(0.0, 9007199254740991.0))  // what JSON readers keep exactly
+            ->capture_default_str();
+        command->add_option("--lang", language, "Language of the table")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--profile", profile, "Students see public checks and no expected values")
+            ->check(CLI::IsMember({"tutor", "student"}))
+            ->capture_default_str();
+        command->add_option("--compiler", options.compiler, "Which compiler builds the file")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        command->add_option("--format", formats, "Formats to write; json is always written")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"json"}));
+        command->add_flag("--lenient", options.lenient, "Leave out the sheet's rules for whole files");
+        command->add_flag("--no-sandbox", no_sandbox, "Run the file without a cage (this version has none)");
+        command->callback([this] { prepare(); });
+    }
+
+    void prepare()
+    {
+        for (auto const& task : tasks) {
+            if (task.size() != 1)
+                throw CLI::ValidationError("--tasks", "'" + task + "' is no task of the sheet; tasks are a to f");
+            options.tasks.insert(task[0]);
+        }
+        options.for_tutor = profile == "tutor";
+        if (options.out.empty())
+            options.out = std::filesystem::path("testat-out") / options.file.stem();
+    }
+
+    int run() const
+    {
+        Report const report = grade(options, installation());
+        std::cout << report_to_text(report, ::language(language)) << "\n"
+                  << (options.out / "report.json").string() << "\n";
+        return report.at("status") == "graded" ? done : not_gradable;
+    }
+};
+
+struct RenderCommand {
+    std::vector<std::string> reports;
+    std::string format = "text";
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("render", "Show reports again");
+        command->add_option("REPORT", reports, "report.json files")->required();
+        command->add_option("--format", format, "text: the table; json: the document, validated")
+            ->check(CLI::IsMember({"text", "json"}))
+            ->capture_default_str();
+        command->add_option("--lang", language, "Language of the table")->check(CLI::IsMember({"de", "en"}));
+    }
+
+    int run() const
+    {
+        for (auto const& file : reports) {
+            Report const report = read(file);
+            std::cout << (format == "json" ? to_text(report) : report_to_text(report, ::language(language)));
+        }
+        return done;
+    }
+
+private:
+    /// A file that is no report is wrong usage.
+    static Report read(std::string const& file)
+    {
+        try {
+            return read_report(file, installation().rubric.parent_path() / "report.schema.json");
+        } catch (BadJson const& e) {
+            throw std::invalid_argument(e.what());
+        }
+    }
+};
+
+int run_command(CLI::App const& app, GradeCommand const& grade_command, RenderCommand const& render_command)
+{
+    if (app.got_subcommand("grade"))
+        return grade_command.run();
+    if (app.got_subcommand("render"))
+        return render_command.run();
+    return doctor(installation(), std::cout) ? done : not_gradable;
+}
+
+int complain(std::exception const& e, Exit code)
+{
+    std::cerr << "testat: " << e.what() << "\n";
+    return code;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Testat grades exercise_03.cpp of the texture mapping exercise.", "testat");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", installation().version);
+    GradeCommand grade_command;
+    RenderCommand render_command;
+    grade_command.add_to(app);
+    render_command.add_to(app);
+    app.add_subcommand("doctor", "Say whether this machine can grade, and what is missing");
+
+    catch_interrupts();
+    try {
+        app.parse(argc, argv);
+        return run_command(app, grade_command, render_command);
+    } catch (CLI::ParseError const& e) {
+        return app.exit(e) == 0 ? done : wrong_usage;
+    } catch (Interrupted const& e) {
+        return complain(e, interrupted);
+    } catch (UnreadableInput const& e) {
+        return complain(e, wrong_usage);
+    } catch (std::invalid_argument const& e) {
+        return complain(e, wrong_usage);
+    } catch (std::exception const& e) {
+        return complain(e, not_gradable);
+    }
+}

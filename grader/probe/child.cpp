@@ -1,0 +1,126 @@
+#include "probe/child.h"
+
+#include "probe/answer.h"
+#include "probe/slots.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+
+namespace testat {
+namespace {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool limit_memory = false;  // sanitizers reserve terabytes of address space
+#else
+constexpr bool limit_memory = true;
+#endif
+constexpr rlim_t memory_bytes = rlim_t(2) << 30;
+constexpr rlim_t kept_output_bytes = 64 << 10;
+
+void set_limit(__rlimit_resource resource, rlim_t soft, rlim_t hard)
+{
+    rlimit const value{soft, hard};
+    setrlimit(resource, &value);
+}
+
+void set_limits(double cpu_s)
+{
+    auto const seconds = static_cast<rlim_t>(std::ceil(cpu_s));
+    set_limit(RLIMIT_CPU, seconds, seconds + 1);
+    set_limit(RLIMIT_CORE, 0, 0);
+    if (limit_memory)
+        set_limit(RLIMIT_AS, memory_bytes, memory_bytes);
+    // Printing beyond the limit fails instead of killing: noise is no crime.
+    signal(SIGXFSZ, SIG_IGN);
+    set_limit(RLIMIT_FSIZE, kept_output_bytes, kept_output_bytes);
+}
+
+void redirect(int output)
+{
+    int const null = open("/dev/null", O_RDONLY);
+    dup2(null, STDIN_FILENO);
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+    close_range(3, ~0u, 0);
+}
+
+void note(Blackboard& board, char const* text)
+{
+    std::snprintf(board.text, sizeof board.text, "%s", text);
+}
+
+std::string reference_for(FunctionSet from_upload, std::string const& directory)
+{
+    for (Function f : every_function())
+        if (from_upload == FunctionSet::only(f))
+            return directory + "/without_" + std::string(info(f).name) + ".so";
+    return directory + "/all.so";
+}
+
+void load(ChildTask const& task)
+{
+    FunctionSet const wanted = task.group.from_upload;
+    if (wanted != FunctionSet::all())
+        fill_slots(load_library(reference_for(wanted, task.libraries.references)),
+                   FunctionSet(FunctionSet::all().bits() & ~wanted.bits()));
+    fill_slots(load_library(task.libraries.upload), wanted);
+}
+
+/// True if the libraries are in place.
+bool try_to_load(ChildTask const& task)
+{
+    task.board.phase = Phase::loading;
+    try {
+        load(task);
+        return true;
+    } catch (std::exception const& e) {
+        note(task.board, e.what());
+        task.board.phase = Phase::not_loaded;
+        return false;
+    }
+}
+
+double cpu_seconds()
+{
+    timespec now = {};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+void answer_all(ChildTask const& task)
+{
+    task.board.phase = Phase::running;
+    try {
+        double const start = cpu_seconds();
+        answer(task.group, task.textures, task.assets, task.answers, &task.board.answered);
+        task.board.work_s = cpu_seconds() - start;
+        task.board.phase = Phase::done;
+    } catch (std::exception const& e) {
+        note(task.board, e.what());
+        task.board.phase = Phase::threw;
+    } catch (...) {
+        task.board.phase = Phase::threw;
+    }
+}
+}  // namespace
+
+void become_child(ChildTask const& task)
+{
+    setsid();
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    set_limits(task.cpu_s);
+    redirect(task.output);
+    if (try_to_load(task))
+        answer_all(task);
+    std::fflush(stdout);
+    _exit(0);
+}
+}  // namespace testat

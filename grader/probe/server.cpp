@@ -1,0 +1,223 @@
+#include "probe/server.h"
+
+#include "probe/child.h"
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <map>
+#include <system_error>
+#include <vector>
+
+// How a group is answered. The server forks a child for each group; the child loads the libraries, fills the slots
+// and writes into the blackboard, memory that both share. The server waits with a CPU limit (kernel) and a wall limit
+// (here), kills what is left of the child's session, copies the blackboard to the answer stream and wipes it. A child
+// therefore sees no other group's answers, and what it does to itself reaches the stream only as values.
+namespace testat {
+namespace {
+[[noreturn]] void fail(char const* what)
+{
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// Waits until the child has ended or the wall time is up; true if it is up.
+bool wait_for(pid_t pid, double wall_s)
+{
+    int const handle = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
+    if (handle < 0)
+        fail("pidfd_open");
+    pollfd p{handle, POLLIN, 0};
+    int ready;
+    do {
+        ready = poll(&p, 1, static_cast<int>(std::ceil(wall_s * 1000)));
+    } while (ready < 0 && errno == EINTR);
+    close(handle);
+    return ready == 0;
+}
+
+/// Ends whatever the child has left behind and collects the dead.
+void sweep(pid_t session)
+{
+    kill(-session, SIGKILL);
+    while (waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
+}
+
+struct Death {
+    int status = 0;
+    double cpu_s = 0;
+    bool late = false;
+};
+
+Death await_death(pid_t pid, double limit_s)
+{
+    constexpr double wall_per_cpu = 2;
+    Death death;
+    death.late = wait_for(pid, wall_per_cpu * limit_s + 1);
+    if (death.late)
+        kill(-pid, SIGKILL);
+    rusage usage{};
+    while (wait4(pid, &death.status, 0, &usage) < 0 && errno == EINTR) {
+    }
+    death.cpu_s = cpu_seconds(usage);
+    sweep(pid);
+    return death;
+}
+
+Ended classify(Death const& death, Blackboard const& board, double limit_s)
+{
+    bool const out_of_cpu =
+        WIFSIGNALED(death.status) &&
+        (WTERMSIG(death.status) == SIGXCPU || (WTERMSIG(death.status) == SIGKILL && death.cpu_s >= limit_s));
+    if (death.late || out_of_cpu)
+        return Ended::timed_out;
+    if (WIFSIGNALED(death.status))
+        return Ended::signal;
+    if (board.phase == Phase::threw)
+        return Ended::exception;
+    if (board.phase == Phase::not_loaded)
+        return Ended::not_loaded;
+    return board.phase == Phase::done ? Ended::answered : Ended::exit;
+}
+
+GroupStatus describe(Death const& death, Blackboard const& board, double limit_s)
+{
+    GroupStatus status;
+    status.ended = classify(death, board, limit_s);
+    status.code = WIFSIGNALED(death.status) ? WTERMSIG(death.status) : WEXITSTATUS(death.status);
+    status.answered = board.answered;
+    status.cpu_s = death.cpu_s;
+    status.work_s = board.work_s;
+    std::copy(std::begin(board.text), std::end(board.text), status.text);
+    return status;
+}
+
+void read_output(Descriptor const& output, GroupStatus& status)
+{
+    off_t const size = lseek(output.get(), 0, SEEK_END);
+    status.printed = static_cast<std::uint32_t>(std::max<off_t>(size, 0));
+    if (pread(output.get(), status.output, sizeof status.output, 0) < 0)
+        status.output[0] = 0;
+}
+
+/// The blackboard's mapping, large enough for the largest group.
+class SharedBoard {
+public:
+    explicit SharedBoard(std::size_t words) : size_(sizeof(Blackboard) + 4 * words)
+    {
+        memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (memory_ == MAP_FAILED)
+            fail("shared memory for answers");
+    }
+    ~SharedBoard() { munmap(memory_, size_); }
+    SharedBoard(SharedBoard const&) = delete;
+    SharedBoard& operator=(SharedBoard const&) = delete;
+
+    void wipe(std::size_t words)
+    {
+        board() = Blackboard{};
+        std::fill_n(answers(), words, unanswered);
+    }
+    Blackboard& board() const { return *static_cast<Blackboard*>(memory_); }
+    std::uint32_t* answers() const { return reinterpret_cast<std::uint32_t*>(&board() + 1); }
+
+private:
+    std::size_t size_;
+    void* memory_;
+};
+
+class Server {
+public:
+    Server(Request const& request, Libraries const& libraries, AssetLibrary& assets)
+        : request_(request), libraries_(libraries), assets_(assets), board_(largest(request))
+    {
+    }
+
+    void answer_group(Group const& group, int answers)
+    {
+        board_.wipe(group.answer_size());
+        GroupStatus const status = may_run(group) ? run(group) : out_of_time();
+        if (status.ended == Ended::timed_out)
+            timed_out_.push_back(group.from_upload);
+        loading_hangs_ = loading_hangs_ || (status.ended == Ended::timed_out && board_.board().phase == Phase::loading);
+        spent_s_[group.from_upload.bits()] += status.cpu_s;
+        write_all(answers, &status, sizeof status);
+        write_all(answers, board_.answers(), 4 * group.answer_size());
+    }
+
+private:
+    static std::size_t largest(Request const& request)
+    {
+        std::size_t words = 0;
+        for (auto const& group : request.groups)
+            words = std::max(words, group.answer_size());
+        return words;
+    }
+
+    /// What is left for the functions of this group: a slow function must not use up the time of others.
+    double left_s(Group const& group) const
+    {
+        auto const spent = spent_s_.find(group.from_upload.bits());
+        return request_.limits.total_s - (spent == spent_s_.end() ? 0 : spent->second);
+    }
+
+    bool may_run(Group const& group) const { return !loading_hangs_ && left_s(group) > 0; }
+
+    static GroupStatus out_of_time()
+    {
+        GroupStatus status;
+        status.ended = Ended::timed_out;
+        return status;
+    }
+
+    double limit_for(Group const& group) const
+    {
+        bool const again = std::any_of(timed_out_.begin(), timed_out_.end(),
+                                       [&](FunctionSet hanging) { return hanging.is_subset_of(group.from_upload); });
+        double const limit = again ? request_.limits.after_timeout_s : request_.limits.group_s;
+        return std::min(limit, std::max(1.0, left_s(group)));
+    }
+
+    GroupStatus run(Group const& group)
+    {
+        double const limit_s = limit_for(group);
+        Descriptor const output = memory_file("output");
+        pid_t const pid = fork();
+        if (pid < 0)
+            fail("fork");
+        if (pid == 0)
+            become_child({group, request_.textures, assets_, libraries_, limit_s, output.get(), board_.board(),
+                          board_.answers()});
+        Death const death = await_death(pid, limit_s);
+        GroupStatus status = describe(death, board_.board(), limit_s);
+        read_output(output, status);
+        return status;
+    }
+
+    Request const& request_;
+    Libraries const& libraries_;
+    AssetLibrary& assets_;
+    SharedBoard board_;
+    std::vector<FunctionSet> timed_out_;
+    bool loading_hangs_ = false;
+    std::map<std::uint32_t, double> spent_s_;  ///< by the bits of from_upload
+};
+}  // namespace
+
+void serve(Request const& request, Libraries const& libraries, AssetLibrary& assets, int answers)
+{
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    Server server(request, libraries, assets);
+    write_all(answers, &greeting, sizeof greeting);
+    for (auto const& group : request.groups)
+        server.answer_group(group, answers);
+}
+}  // namespace testat

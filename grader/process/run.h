@@ -1,0 +1,85 @@
+#pragma once
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace testat {
+/// A program to run to its end, with limits that the kernel enforces. Zero means no limit.
+struct Command {
+    std::vector<std::string> argv;  ///< argv[0] is looked up in PATH unless it contains a slash
+    std::filesystem::path directory = "/";
+    std::vector<std::pair<int, int>> descriptors;  ///< {ours, theirs}; stdin, stdout and stderr are taken care of
+    double cpu_s = 0;
+    double wall_s = 0;
+    std::size_t address_space = 0;  ///< bytes
+    std::size_t file_size = 0;      ///< bytes
+};
+
+/// How it ended. Whether that is somebody's fault is for the caller to say.
+struct Finished {
+    int exit_code = -1;  ///< -1 when a signal ended it
+    int signal = 0;
+    bool timed_out = false;  ///< CPU or wall limit
+    std::string output;      ///< the first megabyte of stdout and stderr together
+    double cpu_s = 0;
+};
+
+/// Ctrl-C or SIGTERM arrived; everything started so far is gone when this is caught.
+struct Interrupted : std::runtime_error {
+    Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Makes SIGINT and SIGTERM end `run` with Interrupted instead of ending the program.
+void catch_interrupts();
+
+/// Runs a command in a session of its own with a minimal environment, and waits; its whole process group is killed
+/// at the end. Throws std::runtime_error if the program cannot be started, Interrupted on Ctrl-C.
+Finished run(Command const& command);
+
+/// Whether a program of that name is in PATH and executable.
+bool is_in_path(std::string const& program);
+
+/// A new directory below the system's temporary one, removed with everything in it at the end of its life.
+class TemporaryDirectory {
+public:
+    TemporaryDirectory();
+    ~TemporaryDirectory();
+    TemporaryDirectory(TemporaryDirectory const&) = delete;
+    TemporaryDirectory& operator=(TemporaryDirectory const&) = delete;
+    std::filesystem::path const& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// A file descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int fd = -1) : fd_(fd) {}
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept
+    {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
+    ~Descriptor() { reset(); }
+    int get() const { return fd_; }
+    void reset();
+
+private:
+    int fd_;
+};
+
+/// Writes everything, however many calls that takes. Throws std::system_error.
+void write_all(int fd, void const* data, std::size_t size);
+
+/// User and system time together.
+double cpu_seconds(rusage const& usage);
+
+/// An anonymous file in memory, closed on exec. Throws std::system_error.
+Descriptor memory_file(char const* name);
+}  // namespace testat

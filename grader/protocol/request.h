@@ -1,0 +1,76 @@
+#pragma once
+#include "functions.h"
+#include "protocol/questions.h"
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// What travels between judge and probe. Judge to probe: one Request, serialised. Probe to judge: a Greeting, then for
+/// each group of the request in order a GroupStatus and the group's answer words.
+namespace testat {
+/// A texture as the judge made it: level 0 first, RGBA floats, row 0 at the bottom.
+struct TextureData {
+    struct Level {
+        std::int32_t width = 0;
+        std::int32_t height = 0;
+        std::vector<float> texels;  ///< width * height * 4
+    };
+    std::uint32_t wrap_mode = 0;  ///< TextureWrapMode of the framework
+    std::vector<Level> levels;
+};
+
+/// Questions of one kind to one arrangement of functions, answered in a child process of their own.
+struct Group {
+    std::string name;         ///< "EvaluateNearest.NegativeCoordinates", "isolated/plane_after_c", ...
+    FunctionSet from_upload;  ///< the rest comes from the reference
+    Function under_test{};    ///< which function a lookup, wrap or transform question calls
+    Kind kind = Kind::wrap;
+    std::uint32_t count = 0;
+    std::uint32_t words_per_answer = 0;
+    std::vector<std::byte> questions;  ///< count * question_bytes(kind)
+
+    std::size_t answer_size() const { return std::size_t(count) * words_per_answer; }  ///< in words
+};
+
+/// CPU seconds; wall limits are derived from them.
+struct Limits {
+    double group_s = 10;         ///< for a group of questions
+    double after_timeout_s = 1;  ///< for a group whose functions have run into the limit before
+    double total_s = 60;         ///< for all groups with the same functions
+};
+
+struct Request {
+    Limits limits;
+    std::vector<TextureData> textures;
+    std::vector<Group> groups;
+};
+
+/// How a group's child ended.
+enum class Ended : std::uint32_t { answered, signal, exit, exception, timed_out, not_loaded, lost, count };
+
+/// What the probe's server says of a group. Texts come from the upload: hostile bytes, not always terminated.
+struct GroupStatus {
+    Ended ended = Ended::lost;
+    std::int32_t code = 0;       ///< signal number or exit status
+    std::uint32_t answered = 0;  ///< questions finished; the one that failed is this index
+    std::uint32_t printed = 0;   ///< bytes written to stdout and stderr, as far as they were kept
+    double cpu_s = 0;            ///< of the child, all of it
+    double work_s = 0;           ///< of answering only, as the child says it
+    char text[256] = {};         ///< what() of an exception, or the loader's complaint
+    char output[256] = {};       ///< the beginning of what was printed
+};
+static_assert(std::is_trivially_copyable_v<GroupStatus>);
+
+constexpr std::uint32_t greeting = 0x74737431;  ///< first word of an answer stream: the probe is alive
+
+/// An answer word that was never written: a quiet NaN as float, an impossible index as integer.
+constexpr std::uint32_t unanswered = 0x7fc0dead;
+
+std::vector<std::byte> serialize(Request const& request);
+
+/// The inverse. Throws std::runtime_error when the bytes are not one whole request.
+Request parse_request(std::vector<std::byte> const& bytes);
+}  // namespace testat

@@ -1,0 +1,244 @@
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace testat {
+namespace {
+constexpr std::size_t columns = 80;
+constexpr std::size_t label_columns = 12;
+
+struct Term {
+    char const* de;
+    char const* en;
+};
+
+constexpr Term of{"von", "of"};
+constexpr Term points_term{"Punkten", "points"};
+constexpr Term pass{"60 % erreicht", "60 % reached"};
+constexpr Term fail{"60 % nicht erreicht", "below 60 %"};
+constexpr Term rule{"Regel des Übungsblatts", "rule of the sheet"};
+constexpr Term without_rule{"ohne diese Regel", "without this rule"};
+constexpr Term task_term{"Aufgabe", "Task"};
+constexpr Term input{"Eingabe", "input"};
+constexpr Term measured{"Ergebnis", "measured"};
+constexpr Term detail{"Befund", "finding"};
+constexpr Term hint{"Hinweis", "hint"};
+constexpr Term pictures_term{"Bilder", "Pictures"};
+constexpr Term differs{"weicht ab wegen", "differs because of"};
+constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
+constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
+constexpr Term not_gradable{"NICHT BEWERTBAR (kein Fehler der Abgabe)", "NOT GRADABLE (not the upload's fault)"};
+constexpr Term does_not_build{"Die Datei lässt sich nicht übersetzen oder binden:",
+                              "The file does not compile or link:"};
+constexpr Term public_only{"Nur die öffentlichen Prüfungen sind gezählt; die Tutoren prüfen mehr.",
+                           "Only the public checks are counted; the tutors check more."};
+
+Term verdict_term(std::string const& verdict)
+{
+    constexpr std::pair<char const*, Term> terms[] = {
+        {"correct", {"richtig", "correct"}}, {"partial", {"teilweise", "partial"}},
+        {"wrong", {"falsch", "wrong"}},      {"missing", {"fehlt", "missing"}},
+        {"crashed", {"Absturz", "crashed"}}, {"timed_out", {"Zeitlimit", "timed out"}},
+    };
+    auto const found =
+        std::find_if(std::begin(terms), std::end(terms), [&](auto const& term) { return verdict == term.first; });
+    return found == std::end(terms) ? Term{"?", "?"} : found->second;
+}
+
+std::string text(Report const& value)
+{
+    return value.get<std::string>();
+}
+
+std::string join(Report const& names)
+{
+    std::string all;
+    for (auto const& name : names)
+        all += (all.empty() ? "" : ", ") + text(name);
+    return all;
+}
+
+/// Terminal columns of UTF-8 text, for letters that are one column wide.
+std::size_t width(std::string const& utf8)
+{
+    return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// Words on as many lines as it takes, each but the first indented.
+std::string wrap(std::string const& words, std::size_t indent)
+{
+    std::istringstream in(words);
+    std::string result;
+    std::size_t column = indent;
+    for (std::string word; in >> word; column += width(word)) {
+        bool const first = column == indent;
+        bool const fits = column + 1 + width(word) <= columns;
+        if (!first)
+            result += fits ? " " : "\n" + std::string(indent, ' ');
+        column = first ? column : fits ? column + 1 : indent;
+        result += word;
+    }
+    return result;
+}
+
+class Printer {
+public:
+    Printer(Report const& report, Language language) : report_(report), german_(language == Language::de) {}
+
+    std::string print()
+    {
+        if (report_.at("status") == "not_gradable")
+            return fmt::format("{}\n  {}\n", say(not_gradable), text(report_.at("error")));
+        headline();
+        diagnostics();
+        table();
+        first_mistakes();
+        pictures();
+        return std::move(out_);
+    }
+
+private:
+    char const* say(Term term) const { return german_ ? term.de : term.en; }
+    std::string phrase(Report const& value) const { return text(value.at(german_ ? "de" : "en")); }
+
+    template <typename... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments)
+    {
+        out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
+    }
+
+    void labelled(Term label, std::string const& words)
+    {
+        std::string const padding(label_columns - 2 - width(say(label)), ' ');
+        line("  {}{}{}", say(label), padding, wrap(words, label_columns));
+    }
+
+    void headline()
+    {
+        auto const& points = report_.at("points");
+        line("{}: {:.2f} {} {:.2f} {} ({})", text(report_.at("submission").at("file")),
+             points.at("earned").get<double>(), say(of), points.at("max").get<double>(), say(points_term),
+             say(points.at("passed_60_percent").get<bool>() ? pass : fail));
+        for (auto const& policy : report_.at("policy").at("applied"))
+            line("  {}: {}; {}: {:.2f}", say(rule), text(policy), say(without_rule),
+                 report_.at("policy").at("earned_without").get<double>());
+        if (is_public_only())
+            line("  {}", say(public_only));
+    }
+
+    bool is_public_only() const
+    {
+        for (auto const& function : report_.at("functions"))
+            for (auto const& check : function.at("checks"))
+                if (check.at("visibility") == "hidden")
+                    return false;
+        return true;
+    }
+
+    void diagnostics()
+    {
+        auto const& build = report_.at("build");
+        if (build.at("ok").get<bool>())
+            return;
+        constexpr std::size_t shown = 3;
+        line("\n{}", say(does_not_build));
+        auto const& all = build.at("diagnostics");
+        for (std::size_t i = 0; i < std::min(shown, all.size()); ++i)
+            line("  {}", wrap(diagnostic(all[i]), 4));
+    }
+
+    static std::string diagnostic(Report const& d)
+    {
+        std::string place = text(d.at("file"));
+        if (int const number = d.at("line").get<int>(); number > 0)
+            place += fmt::format(":{}", number);
+        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", text(d.at("severity")),
+                           text(d.at("message")));
+    }
+
+    void points_line(std::string const& left, Report const& graded)
+    {
+        std::string const padding(std::max<std::size_t>(columns - 14, width(left)) - width(left), ' ');
+        line("{}{}{:>5.2f} / {:>5.2f}", left, padding, graded.at("earned").get<double>(),
+             graded.at("max").get<double>());
+    }
+
+    void table()
+    {
+        for (auto const& task : report_.at("tasks")) {
+            out_ += "\n";
+            points_line(fmt::format("{} {}) {}", say(task_term), text(task.at("id")), phrase(task.at("title"))), task);
+            for (auto const& [name, function] : report_.at("functions").items())
+                if (function.at("task") == task.at("id"))
+                    points_line(fmt::format("    {:<40}{}", name, say(verdict_term(text(function.at("verdict"))))),
+                                function);
+        }
+    }
+
+    /// Of each function the first check that failed, or that has something to say.
+    void first_mistakes()
+    {
+        for (auto const& [name, function] : report_.at("functions").items())
+            for (auto const& check : function.at("checks"))
+                if (!check.at("hint").is_null()) {
+                    mistake(name, check);
+                    break;
+                }
+    }
+
+    void mistake(std::string const& function, Report const& check)
+    {
+        line("\n{}: {}", function, text(check.at("name")));
+        if (auto const& worst = check.at("worst_input"); !worst.is_null()) {
+            labelled(input, text(worst.at("input")));
+            labelled(measured, text(worst.at("measured")));
+        }
+        if (!check.at("detail").is_null())
+            labelled(detail, text(check.at("detail")));
+        labelled(hint, phrase(check.at("hint")));
+    }
+
+    /// Those that differ as submitted or in isolation.
+    void pictures()
+    {
+        if (report_.at("run_time").empty() && !report_.at("build").at("ok").get<bool>())
+            return;  // nothing was run
+        bool any = false;
+        for (auto const& picture : report_.at("pictures")) {
+            if (!picture.contains("explained_by") && picture.at("score") == 1)
+                continue;
+            if (!any)
+                line("\n{}", say(pictures_term));
+            any = true;
+            line("  {:<24}{}", text(picture.at("name")), wrap(finding(picture), 26));
+        }
+    }
+
+    std::string finding(Report const& picture) const
+    {
+        std::string result;
+        if (picture.contains("explained_by"))
+            result = fmt::format("{} {}", say(differs), join(picture.at("explained_by")));
+        if (picture.at("score") == 1)
+            return result;
+        std::string const alone =
+            picture.at("isolated_file").is_null()
+                ? say(not_made)
+                : fmt::format(fmt::runtime(say(isolated)), picture.at("outside").get<std::size_t>());
+        return result + (result.empty() ? "" : "; ") + alone;
+    }
+
+    Report const& report_;
+    bool german_;
+    std::string out_;
+};
+}  // namespace
+
+std::string report_to_text(Report const& report, Language language)
+{
+    return Printer(report, language).print();
+}
+}  // namespace testat

@@ -1,0 +1,29 @@
+#pragma once
+#include "functions.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Finds the eleven functions in the text of an exercise_03.cpp, without compiling it.
+namespace testat {
+/// One function definition at namespace scope. Positions are byte offsets into the text.
+struct Definition {
+    Function function;
+    std::size_t begin;  ///< first character of the return type
+    std::size_t body;   ///< the opening brace
+    std::size_t end;    ///< behind the closing brace
+    int line;           ///< of `begin`, counted from 1
+};
+
+/// All definitions in order of appearance. Comments, literals, raw strings and preprocessor lines are skipped; text
+/// that is not C++ gives what can be recognised and never fails.
+std::vector<Definition> find_definitions(std::string_view text);
+
+/// The text with the body of `function` replaced; unchanged if it is not defined there.
+std::string replace_body(std::string_view text, Function function, std::string_view body);
+
+/// `base` with the functions that `patch` defines in place of its own; whatever else `patch` holds (includes, helper
+/// functions) is put before the first function.
+std::string patch_definitions(std::string_view base, std::string_view patch);
+}  // namespace testat

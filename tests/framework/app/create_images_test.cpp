@@ -1,0 +1,126 @@
+// Runs 03_textures as students do.
+#include "temporary_directory.h"
+
+#include <cglib/core/image.h>
+#include <cglib/rt/assignment_images.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace {
+std::string contents(std::string const& path)
+{
+    std::ostringstream out;
+    out << std::ifstream(path, std::ios::binary).rdbuf();
+    return out.str();
+}
+
+/// A program that has run in a folder of its own.
+class TexturesRun {
+public:
+    explicit TexturesRun(std::string const& program) : program_(program) {}
+
+    int exit_code(std::string const& arguments)
+    {
+        std::string const command =
+            "cd '" + directory.path() + "' && '" + program_ + "' " + arguments + " > out 2> err";
+        int const status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    std::string out() const { return contents(directory.path("out")); }
+    std::string err() const { return contents(directory.path("err")); }
+    std::string image(std::string const& name) const { return directory.path("assignment_images/" + name + ".png"); }
+
+    int num_images() const
+    {
+        auto const files = std::filesystem::directory_iterator(directory.path("assignment_images"));
+        return int(std::distance(begin(files), end(files)));
+    }
+
+    TemporaryDirectory directory;
+
+private:
+    std::string program_;
+};
+}  // namespace
+
+TEST(CreateImages, BothSpellingsWriteAllPictures)
+{
+    for (char const* option : {"--create_images", "--create-images"}) {
+        TexturesRun run(TEXTURES_PROGRAM);
+        EXPECT_EQ(run.exit_code(option), 0) << run.err();
+        EXPECT_EQ(run.num_images(), int(assignment_images().size()) + num_miplevel_images);
+        EXPECT_EQ(run.err(), "");
+    }
+}
+
+TEST(CreateImages, PicturesHaveTheirSizes)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    ASSERT_EQ(run.exit_code("--create_images"), 0);
+    Image image;
+    for (AssignmentImage const& assignment : assignment_images()) {
+        image.load(run.image(assignment.name), 1.f);
+        EXPECT_EQ(image.getWidth(), 256) << assignment.name;
+    }
+    for (int level = 0; level < num_miplevel_images; ++level) {
+        image.load(run.image(miplevel_image_name(level)), 1.f);
+        EXPECT_EQ(image.getHeight(), 128 >> level);
+    }
+}
+
+TEST(CreateImages, TwoRunsWriteTheSameBytes)
+{
+    TexturesRun first(TEXTURES_PROGRAM);
+    TexturesRun second(TEXTURES_PROGRAM);
+    ASSERT_EQ(first.exit_code("--create_images"), 0);
+    ASSERT_EQ(second.exit_code("--create_images"), 0);
+    for (AssignmentImage const& assignment : assignment_images())
+        EXPECT_EQ(contents(first.image(assignment.name)), contents(second.image(assignment.name)));
+}
+
+TEST(CreateImages, UntouchedTemplateIsToldWhichLevelsItLacks)
+{
+    TexturesRun run(TEMPLATE_PROGRAM);
+    EXPECT_EQ(run.exit_code("--create_images"), 0);
+    EXPECT_TRUE(std::filesystem::exists(run.image("miplevel00")));
+    EXPECT_FALSE(std::filesystem::exists(run.image("miplevel01")));
+    EXPECT_NE(run.err().find("miplevel01"), std::string::npos);
+    EXPECT_NE(run.err().find("miplevel07"), std::string::npos);
+}
+
+TEST(CreateImages, FolderThatCannotBeMadeIsAnError)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    std::ofstream(run.directory.path("assignment_images")) << "a file is in the way";
+    EXPECT_EQ(run.exit_code("--create_images"), 2);
+    EXPECT_NE(run.err().find("assignment_images"), std::string::npos);
+}
+
+TEST(CreateImages, PictureThatCannotBeWrittenIsAnError)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    std::filesystem::create_directories(run.image("plane_after_c"));
+    EXPECT_EQ(run.exit_code("--create_images"), 2);
+    EXPECT_NE(run.err().find("plane_after_c.png"), std::string::npos);
+}
+
+TEST(CommandLine, UnknownOptionIsAnError)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    EXPECT_EQ(run.exit_code("--create_imges"), 2);
+    EXPECT_NE(run.err().find("--create_imges"), std::string::npos);
+}
+
+TEST(CommandLine, NoArgumentsPrintTheUsage)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    EXPECT_EQ(run.exit_code(""), 0);
+    EXPECT_NE(run.out().find("--create_images"), std::string::npos);
+}

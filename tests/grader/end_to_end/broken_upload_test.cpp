@@ -1,0 +1,194 @@
+// Uploads that are no exercise_03.cpp, or do not compile: a report all the same, and 0 points.
+#include "end_to_end/testat_program.h"
+
+#include "functions.h"
+#include "source/definitions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+Json expect_zero(Graded const& graded)
+{
+    EXPECT_EQ(graded.exit_code, 0) << graded.out << graded.err;
+    EXPECT_EQ(graded.report.at("status"), "graded");
+    EXPECT_FALSE(graded.report.at("build").at("ok").get<bool>());
+    EXPECT_EQ(graded.report.at("points").at("earned"), 0);
+    EXPECT_EQ(graded.report.at("points").at("max"), 20);
+    EXPECT_EQ(graded.report.at("policy").at("applied"), Json({"does_not_compile"}));
+    EXPECT_FALSE(graded.report.at("build").at("diagnostics").empty());
+    return graded.report;
+}
+
+std::string first_message(Json const& report)
+{
+    return report.at("build").at("diagnostics").at(0).at("message");
+}
+
+/// The text with the definition of one function taken out.
+std::string without(std::string text, Function function)
+{
+    for (auto const& d : find_definitions(text))
+        if (d.function == function)
+            return text.erase(d.begin, d.end - d.begin);
+    return text;
+}
+
+TEST(Upload, MayBeEmpty)
+{
+    EXPECT_NE(first_message(expect_zero(grade_text(""))).find("empty"), std::string::npos);
+    expect_zero(grade_text("\n \t\n"));
+}
+
+TEST(Upload, MayBeHuge)
+{
+    TemporaryDirectory const place;
+    write_file(place.path() / "exercise_03.cpp", "int x;\n");
+    std::filesystem::resize_file(place.path() / "exercise_03.cpp", 100'000'000);
+    Json const report = expect_zero(grade_file(place.path() / "exercise_03.cpp", place.path() / "out"));
+    EXPECT_NE(first_message(report).find("1 MB"), std::string::npos);
+}
+
+TEST(Upload, MayBeLargerThanTheMemory)
+{
+    TemporaryDirectory const place;
+    write_file(place.path() / "exercise_03.cpp", "int x;\n");
+    std::filesystem::resize_file(place.path() / "exercise_03.cpp", std::uintmax_t(1) << 42);
+    expect_zero(grade_file(place.path() / "exercise_03.cpp", place.path() / "out"));
+}
+
+TEST(Upload, MayBeBinary)
+{
+    std::string garbage;
+    for (unsigned i = 0; i < 4096; ++i)
+        garbage += static_cast<char>(i * 2654435761u >> 24);
+    EXPECT_NE(first_message(expect_zero(grade_text(garbage))).find("text file"), std::string::npos);
+    expect_zero(
+        grade_text("\x7f"
+                   "ELF\x02\x01\x01"));
+    expect_zero(grade_text("PK\x03\x04 an archive instead of the file in it"));
+}
+
+TEST(Upload, MayHoldNulBytes)
+{
+    expect_zero(grade_text(reference_text() + std::string(3, '\0')));
+}
+
+TEST(Upload, MayBeUtf16)
+{
+    std::string wide = "\xff\xfe";
+    for (char c : reference_text())
+        wide += {c, '\0'};
+    expect_zero(grade_text(wide));
+}
+
+TEST(Upload, MayHaveAMainOfItsOwn)
+{
+    Json const report = expect_zero(grade_text(reference_text() + "\nint main()\n{\n    return 0;\n}\n"));
+    EXPECT_NE(first_message(report).find("main"), std::string::npos);
+    EXPECT_EQ(report.at("policy").at("earned_without"), 20);
+}
+
+TEST(Upload, MayDefineWhatTheFrameworkDefines)
+{
+    Json const report = expect_zero(grade_text(
+        reference_text() + "\nRay transform_ray(Ray const& ray, glm::mat4 const&)\n{\n    return ray;\n}\n"));
+    EXPECT_NE(first_message(report).find("transform_ray"), std::string::npos);
+}
+
+class MissingFunction : public testing::TestWithParam<Function> {};
+
+TEST_P(MissingFunction, CostsItsPointsBeforePolicy)
+{
+    std::string const name(info(GetParam()).name);
+    Json const report = expect_zero(grade_text(without(reference_text(), GetParam())));
+    EXPECT_NE(first_message(report).find(name), std::string::npos);
+    for (auto const& [key, function] : report.at("functions").items()) {
+        EXPECT_EQ(function.at("verdict"), key == name ? "missing" : "correct") << key;
+        EXPECT_EQ(function.at("earned"), key == name ? Json(0.0) : function.at("max")) << key;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Upload, MissingFunction,
+                         testing::Values(Function::wrap_clamp, Function::create_mipmap, Function::intersect,
+                                         Function::transform_position),
+                         [](auto const& p) { return std::string(testat::info(p.param).name); });
+
+TEST(Upload, MayDeclareAFunctionDifferently)
+{
+    std::string const text = without(reference_text(), Function::transform_position) +
+                             "glm::vec3 transform_position(glm::mat4 const& m, glm::vec4 const& p)\n"
+                             "{\n    return glm::vec3(m * p);\n}\n";
+    Json const report = expect_zero(grade_text(text));
+    EXPECT_NE(first_message(report).find("transform_position"), std::string::npos);
+    EXPECT_NE(first_message(report).find("vec<4"), std::string::npos) << first_message(report);
+    EXPECT_EQ(report.at("functions").at("transform_position").at("verdict"), "missing");
+}
+
+TEST(Upload, MayDeclareAMemberDifferently)
+{
+    std::string const text = without(reference_text(), Function::wrap_repeat) +
+                             "unsigned ImageTexture::wrap_repeat(unsigned val, unsigned size)\n"
+                             "{\n    return val % size;\n}\n";
+    EXPECT_NE(first_message(expect_zero(grade_text(text))).find("wrap_repeat"), std::string::npos);
+}
+
+class Compiler : public testing::TestWithParam<std::string> {};
+
+TEST_P(Compiler, NamesTheLineOfAMistakeInTheUpload)
+{
+    Json const report = expect_zero(grade_text(
+        "// one\n// two\n#include <cglib/rt/object.h>\nint x = ;\n" + reference_text(), {"--compiler", GetParam()}));
+    Json const& first = report.at("build").at("diagnostics").at(0);
+    EXPECT_EQ(first.at("file"), "exercise_03.cpp");
+    EXPECT_EQ(first.at("line"), 4);
+    EXPECT_EQ(first.at("severity"), "error");
+}
+
+TEST_P(Compiler, SaysWhichIncludeIsMissing)
+{
+    std::string const text = "#include \"my_helpers.h\"\n" + reference_text();
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    EXPECT_NE(first_message(report).find("my_helpers.h"), std::string::npos);
+    EXPECT_EQ(report.at("build").at("diagnostics").at(0).at("line"), 1);
+}
+
+TEST_P(Compiler, SaysWhichFunctionIsUndefined)
+{
+    std::string const text = "int nowhere(int);\n" + patched_reference(
+                                                         "int ImageTexture::wrap_clamp(int val, int)\n"
+                                                         "{\n    return nowhere(val);\n}\n");
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    EXPECT_NE(first_message(report).find("nowhere"), std::string::npos);
+}
+
+/// Compilers quote the lines they complain about, from whichever file #line names.
+TEST_P(Compiler, QuotesNoFileThatALineDirectiveNames)
+{
+    TemporaryDirectory const place;
+    write_file(place.path() / "secret.txt", "x:1:1: error: the answer is 42\n");
+    std::string const text =
+        "#line 1 \"" + (place.path() / "secret.txt").string() + "\"\nint x = ;\n" + reference_text();
+    Graded const graded = grade_text(text, {"--compiler", GetParam()});
+    expect_zero(graded);
+    EXPECT_EQ(graded.report.dump().find("the answer is"), std::string::npos) << graded.report.at("build");
+    for (auto const& d : graded.report.at("build").at("diagnostics"))
+        EXPECT_EQ(d.at("file").get<std::string>().find('/'), std::string::npos) << d;
+}
+
+TEST_P(Compiler, GetsNoEscapeSequencesIntoTheReport)
+{
+    std::string const text = "#line 1 \"\\033[2Jfile\"\nint x = ;\n" + reference_text();
+    Graded const graded = grade_text(text, {"--compiler", GetParam()});
+    EXPECT_EQ(graded.out.find('\x1b'), std::string::npos);
+    for (auto const& d : graded.report.at("build").at("diagnostics"))
+        for (char const* key : {"file", "message"})
+            EXPECT_EQ(d.at(key).get<std::string>().find('\x1b'), std::string::npos) << d;
+}
+
+INSTANTIATE_TEST_SUITE_P(Diagnostics, Compiler, testing::ValuesIn(compilers()),
+                         [](auto const& p) { return p.param == "g++" ? "gcc" : "clang"; });
+}  // namespace
+}  // namespace testat

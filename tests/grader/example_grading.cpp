@@ -1,0 +1,79 @@
+#include "example_grading.h"
+
+#include "grey_picture.h"
+
+#include <stdexcept>
+
+namespace testat {
+namespace {
+RubricCheck check(std::string const& name, double weight, bool essential)
+{
+    return {name, weight, essential, true, {"Titel", "title"}, {"Hinweis zu " + name, "hint for " + name}};
+}
+
+RubricFunction function(Function f, std::vector<std::string> const& pictures, std::vector<RubricCheck> const& checks)
+{
+    RubricFunction result;
+    result.function = f;
+    result.task = 'b';
+    result.points = 1;
+    result.pictures = pictures;
+    result.checks = checks;
+    return result;
+}
+}  // namespace
+
+Rubric example_rubric()
+{
+    Rubric rubric;
+    rubric.tasks = {{'b', {"Umgang mit Rändern", "Wrapping"}}};
+    rubric.functions = {function(Function::wrap_clamp, {"clamped"},
+                                 {check("WrapClamp.Inside", 0.25, true), check("WrapClamp.Negative", 0.75, false)}),
+                        function(Function::wrap_repeat, {}, {check("WrapRepeat.Inside", 1, true)})};
+    rubric.policies = {{"does_not_compile", 0, {}, {"de", "en"}}, {"crashes", 0.5, {"signal", "exit"}, {"de", "en"}}};
+    return rubric;
+}
+
+CheckResults passed_results(Rubric const& rubric)
+{
+    CheckResults results;
+    for (auto const& f : rubric.functions) {
+        for (auto const& c : f.checks) {
+            CheckResult result;
+            result.name = c.name;
+            result.function = f.function;
+            result.passed = true;
+            results.checks.push_back(result);
+        }
+        for (auto const& name : f.pictures) {
+            PictureResult picture;
+            picture.name = name;
+            picture.functions = {f.function};
+            picture.score = 1;
+            picture.submitted_asked = true;
+            picture.expected = grey_picture(2, 2, 0.5f);
+            picture.isolated = picture.submitted = picture.expected;
+            results.pictures.push_back(picture);
+        }
+    }
+    return results;
+}
+
+Build whole_build()
+{
+    Build build;
+    build.ok = true;
+    build.compiler = "g++ 13";
+    build.library = "upload.so";
+    build.defined = FunctionSet::all();
+    return build;
+}
+
+CheckResult& find_result(CheckResults& results, std::string const& name)
+{
+    for (auto& result : results.checks)
+        if (result.name == name)
+            return result;
+    throw std::runtime_error("no result " + name);
+}
+}  // namespace testat

@@ -1,0 +1,291 @@
+#include "source/definitions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace testat {
+namespace {
+std::string read(std::string const& file)
+{
+    std::ifstream in(std::string(TESTAT_REPOSITORY) + "/" + file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+FunctionSet functions_of(std::string_view text)
+{
+    FunctionSet found;
+    for (auto const& d : find_definitions(text))
+        found = found.with(d.function);
+    return found;
+}
+
+std::string text_of(std::string_view text, Definition const& d)
+{
+    return std::string(text.substr(d.begin, d.end - d.begin));
+}
+
+/// The one definition in the text, as it stands there.
+std::string only_definition(std::string_view text)
+{
+    auto const found = find_definitions(text);
+    return found.size() == 1 ? text_of(text, found[0]) : std::to_string(found.size()) + " definitions";
+}
+
+constexpr char clamp[] = "int ImageTexture::wrap_clamp(int v, int n) { return v < n ? v : n - 1; }";
+
+/// Offsets lie in the text and in order.
+void expect_sane(std::string_view text)
+{
+    std::size_t last = 0;
+    for (auto const& d : find_definitions(text)) {
+        ASSERT_LE(last, d.begin);
+        ASSERT_LT(d.begin, d.body);
+        ASSERT_LT(d.body, d.end);
+        ASSERT_LE(d.end, text.size());
+        ASSERT_EQ(text[d.body], '{');
+        last = d.end;
+    }
+}
+}  // namespace
+
+TEST(FindDefinitions, FindsElevenInTheReference)
+{
+    std::string const text = read("references/exercise_03.cpp");
+    EXPECT_EQ(find_definitions(text).size(), function_count);
+    EXPECT_EQ(functions_of(text), FunctionSet::all());
+}
+
+TEST(FindDefinitions, FindsElevenInTheTemplate)
+{
+    std::string const text = read("submission_template/exercise_03.cpp");
+    EXPECT_EQ(find_definitions(text).size(), function_count);
+    EXPECT_EQ(functions_of(text), FunctionSet::all());
+}
+
+TEST(FindDefinitions, GivesTheWholeDefinition)
+{
+    std::string const text = std::string("int a;\n\n  ") + clamp + "\nint b;";
+    auto const found = find_definitions(text);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(text_of(text, found[0]), clamp);
+    EXPECT_EQ(text.substr(found[0].body, 8), "{ return");
+    EXPECT_EQ(found[0].line, 3);
+}
+
+TEST(FindDefinitions, SkipsDeclarations)
+{
+    EXPECT_TRUE(
+        find_definitions(
+            "struct ImageTexture; int ImageTexture::wrap_clamp(int, int); int ImageTexture::wrap_repeat(int, int);")
+            .empty());
+    EXPECT_EQ(only_definition(std::string("int ImageTexture::wrap_clamp(int, int);\n") + clamp), clamp);
+}
+
+TEST(FindDefinitions, SkipsCallsInOtherFunctions)
+{
+    EXPECT_TRUE(find_definitions("int helper() { return transform_position(1, 2); }").empty());
+    EXPECT_EQ(only_definition(std::string("int h() { if (transform_position(1, 2)) { } return 0; }\n") + clamp), clamp);
+}
+
+TEST(FindDefinitions, SkipsClassMembers)
+{
+    EXPECT_TRUE(find_definitions("struct Mine { int transform_position(int a) { return a; } };").empty());
+}
+
+TEST(FindDefinitions, AllowsConstNoexceptAndOverride)
+{
+    EXPECT_EQ(find_definitions("V ImageTexture::evaluate_nearest(int l, U const& uv) const { return V(); }").size(),
+              1u);
+    EXPECT_EQ(find_definitions("int ImageTexture::wrap_clamp(int a, int b) noexcept { return a; }").size(), 1u);
+    EXPECT_EQ(find_definitions("bool Object::intersect(R const& r, I* i) const noexcept override { return 0; }").size(),
+              1u);
+}
+
+TEST(FindDefinitions, AllowsSpaceAnywhere)
+{
+    EXPECT_EQ(only_definition("int ImageTexture\n :: \n wrap_clamp\t(int a,\n int b)\n\n{ return a; }"),
+              "int ImageTexture\n :: \n wrap_clamp\t(int a,\n int b)\n\n{ return a; }");
+}
+
+TEST(FindDefinitions, SkipsComments)
+{
+    EXPECT_TRUE(find_definitions("// int ImageTexture::wrap_clamp(int a, int b) { return a; }").empty());
+    EXPECT_TRUE(find_definitions("/* int ImageTexture::wrap_clamp(int a, int b) { return a; } */").empty());
+    EXPECT_TRUE(find_definitions("// continued \\\nint ImageTexture::wrap_clamp(int a, int b) { return a; }").empty());
+    EXPECT_EQ(
+        find_definitions("int f() { /* } */ return 0; // } \n } int ImageTexture::wrap_clamp(int a, int) { return a; }")
+            .size(),
+        1u);
+}
+
+TEST(FindDefinitions, SkipsBracesInLiterals)
+{
+    for (char const* literal : {R"("}{\"}")", "'}'", "'\\''", "L'}'", "u8\"}\"", "\"\\\\\"", "R\"(})\"",
+                                "R\"x()\"})x\"", "u8R\"(\n}\")\"", "1'000'000", "0x1'fp3", "1.5e+3"}) {
+        std::string const text =
+            std::string("int ImageTexture::wrap_clamp(int v, int n) { f(") + literal + "); return v; }";
+        EXPECT_EQ(only_definition(text + " int x;"), text) << literal;
+    }
+}
+
+TEST(FindDefinitions, SkipsPreprocessorLines)
+{
+    EXPECT_EQ(only_definition(std::string("#define OPEN {\n#include \"x\"\n") + clamp), clamp);
+    EXPECT_EQ(only_definition(std::string("#define OPEN \\\n  { \\\r\n { {\n") + clamp), clamp);
+    EXPECT_EQ(only_definition(std::string("  #  pragma { (\n") + clamp), clamp);
+}
+
+TEST(FindDefinitions, KnowsRawStringsFromMacros)
+{
+    EXPECT_EQ(only_definition(std::string("auto s = FOUR\"x\";\n") + clamp), clamp);
+}
+
+/// Uploads are searched in the judge itself, where nothing limits the time.
+TEST(FindDefinitions, TakesTimeInProportion)
+{
+    std::string nested, many;
+    while (nested.size() < 1'000'000) {
+        nested += "transform_position(";
+        many += "transform_position(){}\n";
+    }
+    EXPECT_TRUE(find_definitions(nested).empty());
+    EXPECT_EQ(find_definitions(many).size(), many.size() / 23);
+    EXPECT_EQ(find_definitions(many).back().line, int(many.size() / 23));
+}
+
+TEST(FindDefinitions, SkipsWhatIsLeftOut)
+{
+    std::string const dead = "int ImageTexture::wrap_repeat(int a, int) { don't { }\n";
+    EXPECT_EQ(only_definition("#if 0\n" + dead + "#endif\n" + clamp), clamp);
+    EXPECT_EQ(only_definition("#if 0\n#if 1\n" + dead + "#else\n" + dead + "#endif\n" + dead + "# else\n" + clamp +
+                              "\n#endif\n"),
+              clamp);
+    EXPECT_EQ(only_definition("#if 0\n" + dead), "0 definitions");
+}
+
+TEST(FindDefinitions, WantsMembersBehindTheirClass)
+{
+    EXPECT_TRUE(find_definitions("int wrap_clamp(int a, int b) { return a; }").empty());
+    EXPECT_TRUE(find_definitions("int Object::wrap_clamp(int a, int b) { return a; }").empty());
+    EXPECT_TRUE(find_definitions("V Object::transform_position(M const& m, V const& p) { return p; }").empty());
+    EXPECT_EQ(find_definitions("V transform_position(M const& m, V const& p) { return p; }").size(), 1u);
+}
+
+TEST(FindDefinitions, ReadsCrlf)
+{
+    EXPECT_EQ(find_definitions("#include <x>\r\nint ImageTexture::wrap_clamp(int a, int b)\r\n{\r\n return a;\r\n}\r\n")
+                  .size(),
+              1u);
+}
+
+TEST(FindDefinitions, NeverFailsOnCutText)
+{
+    std::string const text = read("references/exercise_03.cpp");
+    for (std::size_t length = 0; length < text.size(); length += 7)
+        expect_sane(std::string_view(text).substr(0, length));
+}
+
+TEST(FindDefinitions, NeverFailsOnRandomBytes)
+{
+    for (unsigned seed = 0; seed < 10'000; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 engine(seed);
+        std::string bytes(engine() % 200, '\0');
+        std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(engine()); });
+        expect_sane(bytes);
+    }
+}
+
+TEST(FindDefinitions, NeverFailsOnRandomTokens)
+{
+    constexpr char const* tokens[] = {"transform_position",
+                                      "ImageTexture::wrap_clamp",
+                                      "#if 0\n",
+                                      "#endif\n",
+                                      "(",
+                                      ")",
+                                      "{",
+                                      "}",
+                                      ";",
+                                      "::",
+                                      "\"",
+                                      "'",
+                                      "R\"",
+                                      "R\"(",
+                                      ")\"",
+                                      "\\",
+                                      "\n",
+                                      "#",
+                                      "//",
+                                      "/*",
+                                      "*/",
+                                      "\\\n",
+                                      "1'",
+                                      "const",
+                                      "int",
+                                      "'{'",
+                                      "\r",
+                                      "intersect",
+                                      " "};
+    for (unsigned seed = 0; seed < 10'000; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 engine(seed);
+        std::string text;
+        for (unsigned i = engine() % 60; i > 0; --i)
+            text += tokens[engine() % std::size(tokens)];
+        expect_sane(text);
+    }
+}
+
+TEST(ReplaceBody, ReplacesThatBodyOnly)
+{
+    std::string const other = " int ImageTexture::wrap_repeat(int a, int) { return a; }";
+    EXPECT_EQ(replace_body(std::string("int ImageTexture::wrap_clamp(int a, int) { return a; }") + other,
+                           Function::wrap_clamp, "{ abort(); }"),
+              "int ImageTexture::wrap_clamp(int a, int) { abort(); }" + other);
+}
+
+TEST(ReplaceBody, LeavesTextWithoutTheFunction)
+{
+    EXPECT_EQ(replace_body(clamp, Function::wrap_repeat, "{}"), clamp);
+}
+
+TEST(ReplaceBody, LeavesTheOtherTenAlone)
+{
+    std::string const text = read("references/exercise_03.cpp");
+    for (Function f : every_function()) {
+        std::string const blank = replace_body(text, f, "{}");
+        EXPECT_EQ(functions_of(blank), FunctionSet::all()) << info(f).name;
+        EXPECT_LT(blank.size(), text.size()) << info(f).name;
+    }
+}
+
+TEST(PatchDefinitions, TakesThePatchsFunctions)
+{
+    std::string const base = "#include <a>\nint ImageTexture::wrap_clamp(int a, int) { return 1; }\n";
+    EXPECT_EQ(patch_definitions(base, "int ImageTexture::wrap_clamp(int b, int) { return 2; }"),
+              "#include <a>\n\nint ImageTexture::wrap_clamp(int b, int) { return 2; }\n");
+}
+
+TEST(PatchDefinitions, PutsHelpersBeforeTheFirstFunction)
+{
+    std::string const text = patch_definitions(read("references/exercise_03.cpp"),
+                                               "static int help() { return 1; }\n"
+                                               "int ImageTexture::wrap_repeat(int, int) { return help(); }\n");
+    EXPECT_EQ(functions_of(text), FunctionSet::all());
+    EXPECT_LT(text.find("static int help()"), find_definitions(text)[0].begin);
+    EXPECT_NE(text.find("{ return help(); }"), std::string::npos);
+}
+
+TEST(PatchDefinitions, KeepsTheBaseWithAnEmptyPatch)
+{
+    std::string const base = read("references/exercise_03.cpp");
+    EXPECT_EQ(find_definitions(patch_definitions(base, "")).size(), function_count);
+}
+}  // namespace testat

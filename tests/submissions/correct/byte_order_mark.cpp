@@ -1,0 +1,8 @@
+﻿// verdict: {"loses": {}}
+// Saved on Windows with a byte order mark.
+int ImageTexture::wrap_clamp(int val, int size)
+{
+    if (val < 0)
+        return 0;
+    return val >= size ? size - 1 : val;
+}

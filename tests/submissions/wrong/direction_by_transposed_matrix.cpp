@@ -1,0 +1,6 @@
+// verdict: {"loses": {"transform_direction": [1, 1]}, "says": {"transform_direction": "wrong"}, "policy": []}
+// Vector times matrix.
+glm::vec3 transform_direction(glm::mat4 const& transform, glm::vec3 const& d)
+{
+    return glm::normalize(glm::vec3(glm::vec4(d, 0.f) * transform));
+}

@@ -1,0 +1,6 @@
+// verdict: {"loses": {"transform_direction": [0.25, 0.25]}, "says": {"transform_direction": "partial"}, "policy": []}
+// Homogeneous coordinate 1: the translation is added.
+glm::vec3 transform_direction(glm::mat4 const& transform, glm::vec3 const& d)
+{
+    return glm::normalize(glm::vec3(transform * glm::vec4(d, 1.f)));
+}

@@ -1,0 +1,15 @@
+// verdict: {"loses": {"compute_uv_aabb_size": [0.25, 0.25]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// A plane equation of one's own that forgets rays that miss: NaN, or points behind the eye.
+glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
+{
+    glm::vec3 positions[4];
+    for (int i = 0; i < 4; ++i) {
+        float const t = glm::dot(isect.position - rays[i].origin, isect.normal) / glm::dot(rays[i].direction, isect.normal);
+        positions[i] = rays[i].origin + t * rays[i].direction;
+    }
+    glm::vec2 uvs[4];
+    get_intersection_uvs(positions, isect, uvs);
+    glm::vec2 const lower = glm::min(glm::min(uvs[0], uvs[1]), glm::min(uvs[2], uvs[3]));
+    glm::vec2 const upper = glm::max(glm::max(uvs[0], uvs[1]), glm::max(uvs[2], uvs[3]));
+    return upper - lower;
+}

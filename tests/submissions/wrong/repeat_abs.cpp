@@ -1,0 +1,6 @@
+// verdict: {"loses": {"wrap_repeat": [0.5, 0.5]}, "says": {"wrap_repeat": "partial"}, "policy": []}
+// abs(val % size): mirrored below zero.
+int ImageTexture::wrap_repeat(int val, int size)
+{
+    return std::abs(val % size);
+}
