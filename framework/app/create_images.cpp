@@ -5,40 +5,44 @@
 #include <cglib/rt/scenes.h>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/task_group.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace {
-using Levels = std::vector<std::shared_ptr<Image>>;
-
 float const picture_gamma = 2.2f;
 float const miplevel_gamma = 1.f;
 
-/// Each scene is made once.
-class Scenes {
-public:
-    explicit Scenes(AssetLibrary& assets) : assets_(assets) {}
+using Report = std::function<void(std::string const& name, RenderStats const&)>;
 
-    Scene& get(std::string const& name)
+/// Writes pictures while the next ones are rendered.
+class Writer {
+public:
+    explicit Writer(std::string directory) : directory_(std::move(directory)) {}
+
+    ~Writer()
     {
-        std::unique_ptr<Scene>& scene = scenes_[name];
-        if (!scene)
-            scene = create_scene(name, assets_);
-        return *scene;
+        tasks_.cancel();
+        tasks_.wait();
     }
 
-private:
-    AssetLibrary& assets_;
-    std::map<std::string, std::unique_ptr<Scene>> scenes_;
-};
+    void write(std::string const& name, std::shared_ptr<Image const> image, float gamma)
+    {
+        std::string const file = (std::filesystem::path(directory_) / (name + ".png")).string();
+        tasks_.run([=] { image->save(file, gamma); });
+    }
 
-std::string file_name(std::string const& directory, std::string const& name)
-{
-    return (std::filesystem::path(directory) / (name + ".png")).string();
-}
+    /// Throws what a picture has thrown.
+    void finish() { tasks_.wait(); }
+
+private:
+    std::string directory_;
+    tbb::task_group tasks_;
+};
 
 void make_directory(std::string const& directory)
 {
@@ -48,41 +52,68 @@ void make_directory(std::string const& directory)
         throw std::runtime_error(fmt::format("cannot make the folder {}: {}", directory, error.message()));
 }
 
-void create_pictures(AssetLibrary& assets, std::string const& directory)
+/// In the order of their first pictures.
+std::vector<std::string> scenes_in_order()
 {
-    Scenes scenes(assets);
-    Image image;
-    for (AssignmentImage const& picture : assignment_images()) {
-        render_scene(scenes.get(picture.scene), picture.params, &image);
-        image.save(file_name(directory, picture.name), picture_gamma);
+    std::vector<std::string> names;
+    for (AssignmentImage const& picture : assignment_images())
+        if (std::find(names.begin(), names.end(), picture.scene) == names.end())
+            names.push_back(picture.scene);
+    return names;
+}
+
+/// Those with normal maps first: then the maps are out of memory when the mip levels are made.
+std::vector<AssignmentImage> pictures_of(std::string const& scene)
+{
+    std::vector<AssignmentImage> pictures;
+    for (bool const normal_mapping : {true, false})
+        for (AssignmentImage const& picture : assignment_images())
+            if (picture.scene == scene && picture.params.normal_mapping == normal_mapping)
+                pictures.push_back(picture);
+    return pictures;
+}
+
+/// One scene after the other, so that only one is in memory.
+void create_pictures(std::string const& scene_name, AssetLibrary& assets, int threads, Report const& report,
+                     Writer& writer)
+{
+    std::unique_ptr<Scene> const scene = create_scene(scene_name, assets);
+    for (AssignmentImage const& picture : pictures_of(scene_name)) {
+        auto image = std::make_shared<Image>();
+        RenderOptions options;
+        options.threads = threads;
+        report(picture.name, render_scene(*scene, picture.params, image.get(), options));
+        writer.write(picture.name, image, picture_gamma);
     }
 }
 
 /// Files may leave levels out, or empty ones behind.
-bool has_level(Levels const& levels, int level)
+bool has_level(std::vector<std::shared_ptr<Image>> const& levels, int level)
 {
-    return level < int(levels.size()) && levels[level] && !levels[level]->getPixels().empty();
+    return level < int(levels.size()) && levels[std::size_t(level)] && levels[std::size_t(level)]->getWidth() > 0;
 }
 
-void create_miplevels(AssetLibrary& assets, std::string const& directory)
+void create_miplevels(AssetLibrary& assets, Writer& writer)
 {
-    ImageTexture texture(*assets.find("checker", miplevel_gamma), NEAREST, REPEAT);
+    ImageTexture texture(*assets.load("checker", miplevel_gamma), NEAREST, REPEAT);
     texture.create_mipmap();
-    Levels const& levels = texture.get_mip_levels();
+    auto const& levels = texture.get_mip_levels();
     for (int level = 0; level < num_miplevel_images; ++level) {
         std::string const name = miplevel_image_name(level);
         if (has_level(levels, level))
-            levels[level]->save(file_name(directory, name), miplevel_gamma);
+            writer.write(name, levels[std::size_t(level)], miplevel_gamma);
         else
             fmt::print(stderr, "{} is not written: create_mipmap has not made level {}\n", name, level);
     }
 }
 }  // namespace
 
-void create_images(std::string const& assets_directory, std::string const& output_directory)
+void create_images(AssetLibrary& assets, std::string const& output_directory, int threads, Report const& report)
 {
     make_directory(output_directory);
-    AssetLibrary assets(assets_directory);
-    create_pictures(assets, output_directory);
-    create_miplevels(assets, output_directory);
+    Writer writer(output_directory);
+    for (std::string const& scene : scenes_in_order())
+        create_pictures(scene, assets, threads, report, writer);
+    create_miplevels(assets, writer);
+    writer.finish();
 }

@@ -1,7 +1,7 @@
 #include "envelopes/perturbed.h"
 
 #include "probe/slots.h"
-#include "probe/texture_access.h"
+#include <cglib/rt/texture_access.h>
 
 #include <cglib/rt/intersection_tests.h>
 #include <cglib/rt/object.h>

@@ -1,6 +1,6 @@
 #include "probe/answer.h"
 
-#include "probe/texture_access.h"
+#include <cglib/rt/texture_access.h>
 
 #include <cglib/rt/assignment_images.h>
 #include <cglib/rt/object.h>
@@ -252,7 +252,7 @@ private:
 
     void checker_levels(Sheet& sheet)
     {
-        ImageTexture checker(*assets_.find("checker", 1.f), NEAREST, REPEAT);
+        ImageTexture checker(*assets_.load("checker", 1.f), NEAREST, REPEAT);
         checker.create_mipmap();
         write_levels(checker.get_mip_levels(), sheet);
     }

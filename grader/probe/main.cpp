@@ -35,8 +35,6 @@ int main(int argc, char** argv)
     try {
         auto const request = testat::parse_request(read_request(3));
         AssetLibrary assets(argv[3]);
-        assets.find("checker", 1.f);
-        assets.find("checker", 2.2f);
         testat::serve(request, {argv[1], argv[2]}, assets, 4);
         return 0;
     } catch (std::exception const& e) {

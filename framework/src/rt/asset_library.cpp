@@ -1,5 +1,7 @@
 #include <cglib/rt/asset_library.h>
 
+#include "../core/mapped_texels.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,8 @@
 namespace fs = std::filesystem;
 
 namespace {
+char const cache_folder[] = "texels";
+
 /// Empty if there is none.
 std::vector<fs::path> files_with_stem(std::string const& directory, std::string const& stem)
 {
@@ -32,18 +36,31 @@ std::string path_of(std::string const& directory, std::string const& stem)
         throw std::runtime_error(fmt::format("there is no texture '{}' in {}", stem, directory));
     return std::min_element(files.begin(), files.end())->string();
 }
+
+std::string cache_path(std::string const& directory, std::string const& stem, float gamma)
+{
+    return (fs::path(directory) / cache_folder / fmt::format("{}-{}", stem, gamma)).string();
+}
 }  // namespace
 
 AssetLibrary::AssetLibrary(std::string directory) : directory_(std::move(directory)) {}
 
-std::shared_ptr<Image const> AssetLibrary::find(std::string const& stem, float gamma)
+std::shared_ptr<Image> AssetLibrary::load(std::string const& stem, float gamma) const
 {
-    std::lock_guard<std::mutex> const lock(mutex_);
-    std::shared_ptr<Image const>& image = images_[{stem, gamma}];
-    if (!image) {
-        auto loaded = std::make_shared<Image>();
-        loaded->load(path_of(directory_, stem), gamma);
-        image = loaded;
-    }
+    std::string const path = path_of(directory_, stem);
+    if (auto texels = MappedTexels::open(cache_path(directory_, stem, gamma), path, gamma))
+        return std::make_shared<Image>(std::move(texels));
+    auto image = std::make_shared<Image>();
+    image->load(path, gamma);
     return image;
+}
+
+void AssetLibrary::cache_texels(std::string const& stem, float gamma) const
+{
+    std::string const path = path_of(directory_, stem);
+    Image image;
+    image.load(path, gamma);
+    std::error_code error;
+    fs::create_directories(fs::path(directory_) / cache_folder, error);
+    write_texel_cache(image, cache_path(directory_, stem, gamma), path, gamma);
 }

@@ -18,6 +18,11 @@ void set_normal(glm::vec3 const& normal, Intersection* isect)
 
 Intersectable::~Intersectable() = default;
 
+Bounds Intersectable::bounds(glm::mat4 const&) const
+{
+    return Bounds();
+}
+
 Sphere::Sphere(glm::vec3 const& sphere_center, float sphere_radius) : center(sphere_center), radius(sphere_radius) {}
 
 bool Sphere::intersect(Ray const& ray, Intersection* isect) const
@@ -27,6 +32,15 @@ bool Sphere::intersect(Ray const& ray, Intersection* isect) const
         return false;
     set_normal(glm::normalize(isect->position - center), isect);
     return true;
+}
+
+Bounds Sphere::bounds(glm::mat4 const& transform) const
+{
+    // An ellipsoid reaches as far along an axis as the matrix' row for that axis is long.
+    glm::mat3 const rows = glm::transpose(glm::mat3(transform));
+    glm::vec3 const reach = radius * glm::vec3(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
+    glm::vec3 const middle(transform * glm::vec4(center, 1.f));
+    return {middle - reach, middle + reach};
 }
 
 Plane::Plane(glm::vec3 const& plane_center, glm::vec3 const& plane_normal)
@@ -56,6 +70,15 @@ bool Quad::intersect(Ray const& ray, Intersection* isect) const
     set_normal(normal, isect);
     isect->uv = coordinates(isect->position);
     return isect->uv.x >= 0.f && isect->uv.x <= 1.f && isect->uv.y >= 0.f && isect->uv.y <= 1.f;
+}
+
+Bounds Quad::bounds(glm::mat4 const& transform) const
+{
+    glm::vec3 const corner = center - 0.5f * (e0 + e1);
+    glm::vec3 corners[] = {corner, corner + e0, corner + e1, corner + e0 + e1};
+    for (glm::vec3& c : corners)
+        c = glm::vec3(transform * glm::vec4(c, 1.f));
+    return Bounds::around(corners, 4);
 }
 
 glm::vec2 Quad::coordinates(glm::vec3 const& position) const

@@ -35,6 +35,19 @@ Material::Material()
 
 Material::~Material() = default;
 
+bool Material::is_textured() const
+{
+    for (std::shared_ptr<Texture> const* k : {&k_a, &k_d, &k_s, &k_r, &k_t})
+        if (*k && (*k)->depends_on_uv())
+            return true;
+    return false;
+}
+
+bool Material::has_normal_map() const
+{
+    return normal->depends_on_uv() || evaluate_normal(glm::vec2(0.f), glm::vec2(0.f)) != glm::vec3(0.f, 1.f, 0.f);
+}
+
 MaterialSample Material::evaluate(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {
     MaterialSample sample;

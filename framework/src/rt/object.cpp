@@ -34,6 +34,7 @@ Object::Object(std::shared_ptr<Intersectable> shape, std::shared_ptr<TextureMapp
 void Object::compute_shading_info(Intersection* isect)
 {
     Intersection local = locate(*isect);
+    local.dudv = glm::vec2(0.f);
     apply_material(&local);
     *isect = to_world_space(local);
 }
@@ -49,25 +50,32 @@ void Object::compute_shading_info(const Ray rays[4], Intersection* isect)
     *isect = to_world_space(local);
 }
 
-/// The hit in object space with tangent space and uv.
+/// The hit in object space, with tangent space and uv where the plan wants them.
 Intersection Object::locate(Intersection const& isect) const
 {
     Intersection local = transform_intersection(isect, transform_world_to_object, transform_world_to_object_normal);
-    texture_mapping->compute_tangent_space(&local);
-    local.uv = get_uv(local);
-    local.dudv = glm::vec2(0.f);
+    RaytracingContext& context = *RaytracingContext::get_active();
+    if (context.plan->needs_normal_map(*material)) {
+        texture_mapping->compute_tangent_space(&local);
+        ++context.stats.tangent_frames;
+    }
+    if (context.plan->needs_uv(*material))
+        local.uv = get_uv(local);
     return local;
 }
 
-/// Samples what the render mode needs. The shading normal is the normal, unless normal mapping is on.
+/// Samples what the plan wants. The shading normal is the normal, unless there is a normal map to follow.
 void Object::apply_material(Intersection* isect) const
 {
-    RaytracingParameters const& params = RaytracingContext::get_active()->params;
+    RaytracingContext& context = *RaytracingContext::get_active();
     isect->shading_normal = isect->normal;
-    if (needs_materials(params))
+    if (context.plan->shading) {
         isect->material = material->evaluate(isect->uv, isect->dudv);
-    if (!params.normal_mapping || !needs_textures(params))
+        ++context.stats.material_samples;
+    }
+    if (!context.plan->needs_normal_map(*material))
         return;
+    ++context.stats.normal_map_lookups;
     isect->material.normal = material->evaluate_normal(isect->uv, isect->dudv);
     isect->shading_normal =
         transform_direction_to_object_space(isect->material.normal, isect->normal, isect->tangent, isect->bitangent);

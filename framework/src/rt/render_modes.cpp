@@ -3,8 +3,8 @@
 #include <cglib/core/heatmap.h>
 #include <cglib/core/timer.h>
 #include <cglib/rt/object.h>
-#include <cglib/rt/phong.h>
 #include <cglib/rt/renderer.h>
+#include <cglib/rt/shading.h>
 
 #include <cmath>
 
@@ -15,33 +15,15 @@ float const long_seconds = 20e-6f;
 /// Luminance of linear rgb (Rec. 709).
 glm::vec3 const luminance(0.2126f, 0.7152f, 0.0722f);
 
-void complete_hit(RenderData& data, Object& object, Intersection* isect)
-{
-    if (data.has_corner_rays)
-        object.compute_shading_info(data.corner_rays, isect);
-    else
-        object.compute_shading_info(isect);
-}
-
-glm::vec3 shade(RenderData& data, Ray const& ray)
-{
-    Intersection isect;
-    Object* const object = find_nearest_hit(data, ray, &isect);
-    if (!object)
-        return glm::vec3(0.f);
-    complete_hit(data, *object, &isect);
-    return phong(data, ray, isect);
-}
-
 glm::vec3 show_normal(RenderData& data, Ray const& ray)
 {
     Intersection isect;
     Object* const object = find_nearest_hit(data, ray, &isect);
     if (!object)
         return glm::vec3(0.f);
-    if (!data.context.params.normal_mapping)
+    if (!data.context.plan->normal_maps)
         return isect.normal * 0.5f + 0.5f;
-    complete_hit(data, *object, &isect);
+    complete_camera_hit(data, *object, &isect);
     return isect.shading_normal * 0.5f + 0.5f;
 }
 
@@ -51,20 +33,20 @@ glm::vec3 show_footprint(RenderData& data, Ray const& ray)
     Object* const object = find_nearest_hit(data, ray, &isect);
     if (!object)
         return glm::vec3(0.f);
-    complete_hit(data, *object, &isect);
+    complete_camera_hit(data, *object, &isect);
     return heatmap(std::log(1.f + 5.f * glm::length(isect.dudv)));
 }
 
 glm::vec3 show_num_rays(RenderData& data, Ray const& ray)
 {
-    shade(data, ray);
+    trace_camera_ray(data, ray);
     return heatmap(float(data.num_rays) / many_rays);
 }
 
 glm::vec3 show_time(RenderData& data, Ray const& ray)
 {
     Timer const timer;
-    shade(data, ray);
+    trace_camera_ray(data, ray);
     return heatmap(float(timer.seconds()) / long_seconds);
 }
 }  // namespace
@@ -73,7 +55,7 @@ glm::vec3 render_ray(RenderData& data, Ray const& ray)
 {
     switch (data.context.params.render_mode) {
         case DESATURATE:
-            return glm::vec3(glm::dot(shade(data, ray), luminance));
+            return glm::vec3(glm::dot(trace_camera_ray(data, ray), luminance));
         case NUM_RAYS:
             return show_num_rays(data, ray);
         case NORMAL:
@@ -83,6 +65,6 @@ glm::vec3 render_ray(RenderData& data, Ray const& ray)
         case DUDV:
             return show_footprint(data, ray);
         default:
-            return shade(data, ray);
+            return trace_camera_ray(data, ray);
     }
 }

@@ -1,71 +1,69 @@
 #include <cglib/rt/renderer.h>
 
+#include "culling.h"
 #include "render_modes.h"
 
-#include <cglib/rt/host_render.h>
-#include <cglib/rt/sampling_patterns.h>
+#include <cglib/core/thread_pool.h>
+#include <cglib/rt/prepared_render.h>
 #include <cglib/rt/scene.h>
 
+#include <algorithm>
+
 namespace {
-/// In pixels from the sample's position; opposite corners follow each other.
-glm::vec2 const corners[4] = {{-0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}, {0.5f, -0.5f}};
+int const tile_rows = 8;
+/// Texels that one band has looked up are hardly those of the next: they need not fill the memory.
+int const tiles_in_a_band = 4;
 
-/// Meets the ray with one object, starting from a clean intersection as submissions may read it.
-void keep_nearer_hit(Object* object, Ray const& ray, Object** nearest, Intersection* isect)
+/// Calls test(index) for the objects that the ray may meet, as Culling::visit does.
+template <class Test>
+void visit_objects(RenderData& data, Ray const& ray, float t_max, Test const& test)
 {
-    Intersection candidate;
-    if (!object->intersect(ray, &candidate) || !(candidate.t < isect->t))
-        return;
-    *nearest = object;
-    *isect = candidate;
+    if (data.context.culling)
+        return data.context.culling->visit(ray, t_max, test);
+    int const count = int(data.context.scene->objects.size());
+    for (int i = 0; i < count && t_max >= 0.f; ++i)
+        t_max = test(i);
 }
 
-void set_corner_rays(RenderData& data, glm::vec2 const& pixel)
+bool meets(RenderData& data, int index, Ray const& ray, Intersection* isect)
 {
-    for (int i = 0; i < 4; ++i)
-        data.corner_rays[i] = camera_ray(data.context, pixel + corners[i]);
-    data.has_corner_rays = true;
+    ++data.context.stats.object_tests;
+    return data.context.scene->objects[std::size_t(index)]->intersect(ray, isect);
 }
 
-glm::vec3 render_pixel(RaytracingContext const& context, int x, int y, ThreadLocalData& thread)
+std::vector<Tile> tiles_of(RaytracingParameters const& params)
 {
-    RaytracingParameters const& params = context.params;
-    glm::vec2 const lower_left = glm::vec2(float(x), float(y));
-    if (params.spp <= 1)
-        return render_sample(context, lower_left + 0.5f, thread);
-    glm::vec3 sum(0.f);
-    for (glm::vec2 const& position : sampling_pattern(params.spp, params.stratified, thread))
-        sum += render_sample(context, lower_left + position, thread);
-    return sum / float(params.spp);
+    std::vector<Tile> tiles;
+    for (int y = 0; y < params.height; y += tile_rows)
+        tiles.push_back({0, y, params.width, std::min(y + tile_rows, params.height)});
+    return tiles;
 }
 }  // namespace
 
-void prepare_textures(Scene& scene, RaytracingParameters const& params)
+RenderStats render_scene(Scene& scene, RaytracingParameters const& params, Image* image, RenderOptions const& options)
 {
-    for (std::shared_ptr<ImageTexture> const& texture : scene.textures) {
-        texture->filter_mode = params.tex_filter_mode;
-        texture->wrap_mode = params.tex_wrap_mode;
-        if (needs_mip_levels(params) && texture->get_mip_levels().size() == 1)
-            texture->create_mipmap();
-    }
-}
-
-void render_scene(Scene& scene, RaytracingParameters const& params, Image* image)
-{
-    RaytracingContext context;
-    context.params = params;
-    context.scene = &scene;
-    RaytracingContext::Activation const activation(context);
-    prepare_textures(scene, params);
+    PreparedRender const prepared(scene, params, options.culling);
     image->setSize(params.width, params.height);
-    host_render([&](int x, int y, ThreadLocalData& thread) { return render_pixel(context, x, y, thread); }, image);
+    std::vector<Tile> const tiles = tiles_of(params);
+    std::vector<RenderStats> counts(tiles.size());
+    ThreadPool pool(options.threads);
+    for (int first = 0; first < int(tiles.size()); first += tiles_in_a_band) {
+        prepared.release_texels();
+        pool.run(std::min(tiles_in_a_band, int(tiles.size()) - first), [&](int i) {
+            auto const tile = std::size_t(first + i);
+            counts[tile] = prepared.render(tiles[tile], image);
+        });
+    }
+    RenderStats sum = prepared.preparation();
+    for (RenderStats const& count : counts)
+        sum += count;
+    return sum;
 }
 
-glm::vec3 render_sample(RaytracingContext const& context, glm::vec2 const& pixel, ThreadLocalData& thread)
+glm::vec3 render_sample(RaytracingContext& context, glm::vec2 const& pixel, ThreadLocalData& thread)
 {
-    RenderData data(context, thread);
-    if (needs_footprints(context.params))
-        set_corner_rays(data, pixel);
+    RenderData data(context, thread, pixel);
+    ++context.stats.camera_rays;
     return render_ray(data, camera_ray(context, pixel));
 }
 
@@ -79,24 +77,34 @@ Ray camera_ray(RaytracingContext const& context, glm::vec2 const& pixel)
 Object* find_nearest_hit(RenderData& data, Ray const& ray, Intersection* isect)
 {
     ++data.num_rays;
-    Object* nearest = nullptr;
+    int nearest = -1;
     *isect = Intersection();
-    for (std::shared_ptr<Object> const& object : data.context.scene->objects)
-        keep_nearer_hit(object.get(), ray, &nearest, isect);
-    return nearest;
+    visit_objects(data, ray, FLT_MAX, [&](int i) {
+        // Starting from a clean intersection, as submissions may read it.
+        Intersection candidate;
+        bool const hit = meets(data, i, ray, &candidate);
+        if (hit && (candidate.t < isect->t || (candidate.t == isect->t && i < nearest))) {
+            nearest = i;
+            *isect = candidate;
+        }
+        return isect->t;
+    });
+    return nearest < 0 ? nullptr : data.context.scene->objects[std::size_t(nearest)].get();
 }
 
 bool is_visible(RenderData& data, glm::vec3 const& from, glm::vec3 const& to)
 {
     ++data.num_rays;
+    ++data.context.stats.shadow_rays;
     float const epsilon = data.context.params.ray_epsilon;
     Ray ray(from, to - from);
     float const distance = glm::length(to - from) - 2.f * epsilon;
     ray.origin += epsilon * ray.direction;
-    for (std::shared_ptr<Object> const& object : data.context.scene->objects) {
+    bool visible = true;
+    visit_objects(data, ray, distance, [&](int i) {
         Intersection isect;
-        if (object->intersect(ray, &isect) && isect.t < distance)
-            return false;
-    }
-    return true;
+        visible = !(meets(data, i, ray, &isect) && isect.t < distance);
+        return visible ? distance : -1.f;
+    });
+    return visible;
 }

@@ -11,7 +11,11 @@ using SceneFunction = std::unique_ptr<Scene> (*)(AssetLibrary&);
 
 std::map<std::string, SceneFunction> const& scene_functions()
 {
-    static std::map<std::string, SceneFunction> const functions = {{"plane", &create_plane_scene}};
+    static std::map<std::string, SceneFunction> const functions = {
+        {"plane", &create_plane_scene},         {"sphere", &create_sphere_scene},
+        {"goboard", &create_goboard_scene},     {"pooltable", &create_pooltable_scene},
+        {"triangles", &create_triangles_scene},
+    };
     return functions;
 }
 }  // namespace

@@ -41,6 +41,8 @@ ImageTexture::ImageTexture(Image const& image, TextureFilterMode filter, Texture
 {
 }
 
+ImageTexture::ImageTexture(TextureFilterMode filter, TextureWrapMode wrap) : filter_mode(filter), wrap_mode(wrap) {}
+
 glm::vec4 ImageTexture::evaluate(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {
     switch (filter_mode) {

@@ -2,24 +2,24 @@
 
 #include <cglib/core/image.h>
 
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 
-/// The textures of one folder, each decoded when it is first asked for. Safe for several threads.
+/// The textures of one folder. Safe for several threads.
 class AssetLibrary {
 public:
     /// The folder is not read yet.
     explicit AssetLibrary(std::string directory);
 
-    /// The picture STEM.png, or else STEM with another extension (the alphabetically first), loaded with this gamma.
-    /// Decoded once and shared. Throws std::runtime_error naming stem and directory if there is none.
-    std::shared_ptr<Image const> find(std::string const& stem, float gamma);
+    /// The picture STEM.png, or else STEM with another extension (the alphabetically first), as Image::load gives it
+    /// with this gamma; the caller's own. Where the folder holds its decoded texels (see cache_texels), they are mapped
+    /// into memory instead, which takes no time. Throws std::runtime_error naming stem and directory if there is none.
+    std::shared_ptr<Image> load(std::string const& stem, float gamma) const;
+
+    /// Decodes a picture and keeps its texels beside it, for this gamma. They are no longer used once the picture's
+    /// file has changed. Throws std::runtime_error naming what is missing or cannot be written.
+    void cache_texels(std::string const& stem, float gamma) const;
 
 private:
     std::string directory_;
-    std::mutex mutex_;
-    std::map<std::pair<std::string, float>, std::shared_ptr<Image const>> images_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cglib/rt/bounds.h>
 #include <cglib/rt/intersection.h>
 #include <cglib/rt/intersection_tests.h>
 #include <cglib/rt/ray.h>
@@ -14,6 +15,9 @@ public:
     /// True if the ray hits at some t > 0. Then position, geometric_normal, normal and t of *isect are set (uv too
     /// where the shape has some); else *isect may be anything.
     virtual bool intersect(Ray const& ray, Intersection* isect) const = 0;
+
+    /// Contains the shape after an affine transform. Unbounded unless a shape knows better.
+    virtual Bounds bounds(glm::mat4 const& transform) const;
 };
 
 /// All points at one distance from a centre. Normals point outward.
@@ -22,6 +26,7 @@ public:
     /// radius > 0.
     Sphere(glm::vec3 const& center, float radius);
     bool intersect(Ray const& ray, Intersection* isect) const override;
+    Bounds bounds(glm::mat4 const& transform) const override;
 
     glm::vec3 center;
     float radius;
@@ -46,6 +51,7 @@ public:
 
     /// Sets uv as well.
     bool intersect(Ray const& ray, Intersection* isect) const override;
+    Bounds bounds(glm::mat4 const& transform) const override;
 
     glm::vec3 center;
     glm::vec3 e0;

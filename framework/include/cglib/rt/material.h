@@ -37,6 +37,11 @@ public:
     /// The normal map at uv, unit: rgb becomes (2r - 1, b, 2g - 1).
     glm::vec3 evaluate_normal(glm::vec2 const& uv, glm::vec2 const& dudv) const;
 
+    /// Whether any texture but the normal map depends on uv.
+    bool is_textured() const;
+    /// Whether the normal map is more than the flat default: a texture that depends on uv, or another constant.
+    bool has_normal_map() const;
+
     /// None by default: then it is a tenth of k_d.
     std::shared_ptr<Texture> k_a;
     std::shared_ptr<Texture> k_d;

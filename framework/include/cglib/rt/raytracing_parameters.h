@@ -52,15 +52,3 @@ struct RaytracingParameters : public Parameters {
     TextureWrapMode tex_wrap_mode = REPEAT;
     RenderMode render_mode = RECURSIVE;
 };
-
-/// Whether the mode looks at materials (all their coefficients).
-bool needs_materials(RaytracingParameters const& params);
-
-/// Whether the mode looks at any texture: at materials, or at normal maps alone.
-bool needs_textures(RaytracingParameters const& params);
-
-/// Whether the mode needs dudv, and so the rays through the pixel's corners.
-bool needs_footprints(RaytracingParameters const& params);
-
-/// Whether textures are read at levels other than 0.
-bool needs_mip_levels(RaytracingParameters const& params);

@@ -19,6 +19,9 @@ public:
 
     /// The colour (linear rgba) at uv; dudv is the size of the pixel's footprint in uv space, zero if unknown.
     virtual glm::vec4 evaluate(glm::vec2 const& uv, glm::vec2 const& dudv = glm::vec2(0)) const = 0;
+
+    /// Whether it looks at uv at all.
+    virtual bool depends_on_uv() const { return true; }
 };
 
 /// The same colour everywhere.
@@ -29,6 +32,7 @@ public:
 
     /// rgb is the value, alpha 0.
     glm::vec4 evaluate(glm::vec2 const& uv, glm::vec2 const& dudv = glm::vec2(0)) const override;
+    bool depends_on_uv() const override { return false; }
 
 private:
     glm::vec3 value_;
@@ -46,6 +50,9 @@ public:
 
     /// Level 0 is a copy of the image.
     ImageTexture(Image const& image, TextureFilterMode filter_mode, TextureWrapMode wrap_mode);
+
+    /// Without any level, to be given one before it is looked up.
+    ImageTexture(TextureFilterMode filter_mode, TextureWrapMode wrap_mode);
 
     /// The colour at uv, filtered by filter_mode: level 0 for NEAREST and BILINEAR, evaluate_trilinear for TRILINEAR
     /// and DEBUG_MIP, 1 for WHITE.

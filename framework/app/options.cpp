@@ -1,0 +1,87 @@
+#include "options.h"
+
+#include <cglib/core/build_paths.h>
+#include <cglib/rt/scenes.h>
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <thread>
+
+namespace {
+std::map<std::string, TextureFilterMode> const filters = {
+    {"nearest", NEAREST}, {"bilinear", BILINEAR}, {"trilinear", TRILINEAR}, {"debugmip", DEBUG_MIP}, {"white", WHITE}};
+std::map<std::string, TextureWrapMode> const wraps = {{"repeat", REPEAT}, {"clamp", CLAMP}, {"zero", ZERO}};
+std::map<std::string, RenderMode> const modes = {{"recursive", RECURSIVE}, {"desaturate", DESATURATE},
+                                                 {"numrays", NUM_RAYS},    {"normal", NORMAL},
+                                                 {"time", TIME},           {"dudv", DUDV}};
+
+int const largest_side = 16384;
+int const most_samples = 4096;
+
+template <class Enum>
+void add_choice(CLI::App& app, std::string const& name, Enum& value, std::map<std::string, Enum> const& names,
+                std::string const& description)
+{
+    std::string list;
+    for (auto const& [key, ignored] : names)
+        list += (list.empty() ? "" : ", ") + key;
+    app.add_option(name, value, description + ": " + list)
+        ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""))
+        ->type_name("NAME");
+}
+
+void add_picture_options(CLI::App& app, Options& options)
+{
+    RaytracingParameters& params = options.params;
+    app.add_option("--scene", options.scene, "What to render")->check(CLI::IsMember(scene_names()));
+    add_choice(app, "--filter", params.tex_filter_mode, filters, "How textures are filtered");
+    add_choice(app, "--wrap", params.tex_wrap_mode, wraps, "What lies outside a texture");
+    add_choice(app, "--mode", params.render_mode, modes, "What a pixel shows");
+    app.add_option("--width", params.width, "In pixels")->check(CLI::Range(1, largest_side));
+    app.add_option("--height", params.height, "In pixels")->check(CLI::Range(1, largest_side));
+    app.add_option("--spp", params.spp, "Samples in each pixel")->check(CLI::Range(1, most_samples));
+    app.add_flag("--stratified", params.stratified, "Spread the samples over a grid");
+    app.add_option("--depth", params.max_depth, "How often a ray may be reflected")->check(CLI::Range(0, 64));
+    app.add_flag("--normal_mapping,--normal-mapping", params.normal_mapping, "Use normal maps");
+    app.add_flag("!--no_transforms,!--no-transforms", params.transform_objects,
+                 "Leave objects where they are without their matrices");
+}
+
+void add_other_options(CLI::App& app, Options& options)
+{
+    app.add_option("--assets", options.assets, "Folder of the textures, found by their names without extension");
+    app.add_option("--output", options.output,
+                   "The picture's file (default: show the viewer), or the folder of --create_images");
+    app.add_option("--threads", options.threads, "Default: as many as the machine has")->check(CLI::Range(1, 256));
+    app.add_flag("--stats", options.stats, "Say what each picture took");
+}
+}  // namespace
+
+Options parse_options(int argc, char** argv)
+{
+    CLI::App app("Exercise 3: texture mapping, aliasing and transformations", "03_textures");
+    Options options;
+    options.assets = assets_directory();
+    options.threads = std::max(1, int(std::thread::hardware_concurrency()));
+    bool wants_images = false;
+    bool wants_list = false;
+    app.add_flag("--create_images,--create-images", wants_images,
+                 "Write the pictures of the exercise sheet into ./assignment_images");
+    app.add_flag("--list", wants_list, "List scenes and pictures");
+    add_picture_options(app, options);
+    add_other_options(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (CLI::ParseError const& error) {
+        // Prints help or what is wrong.
+        throw CLI::RuntimeError(app.exit(error) == 0 ? 0 : 2);
+    }
+    if (wants_list)
+        options.action = Options::Action::list;
+    else if (wants_images)
+        options.action = Options::Action::create_images;
+    else if (!options.output.empty())
+        options.action = Options::Action::render;
+    return options;
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cglib/rt/raytracing_parameters.h>
+
+#include <string>
+
+/// What the command line of 03_textures asks for.
+struct Options {
+    enum class Action { show_viewer, create_images, render, list };
+
+    Action action = Action::show_viewer;
+    std::string scene = "plane";
+    RaytracingParameters params;
+    std::string assets;
+    /// Of a single picture; the folder of --create_images.
+    std::string output;
+    int threads = 1;
+    bool stats = false;
+};
+
+/// Throws CLI::ParseError for what it does not understand, and for --help.
+Options parse_options(int argc, char** argv);
