@@ -260,7 +260,10 @@ private:
     void render(AssignmentImage const& wanted, Sheet& sheet)
     {
         Image image(wanted.params.width, wanted.params.height);
-        render_scene(*create_scene(wanted.scene, assets_), wanted.params, &image);
+        RenderOptions options;
+        // An intersect of its own making may find hits where nothing is.
+        options.culling = !group_.from_upload.has(Function::intersect);
+        render_scene(*create_scene(wanted.scene, assets_), wanted.params, &image, options);
         for (int y = 0; y < image.getHeight(); ++y)
             for (int x = 0; x < image.getWidth(); ++x)
                 sheet.vector(glm::vec3(image.getPixel(x, y)));

@@ -2,11 +2,17 @@
 
 #include <cglib/core/assert.h>
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 struct ThreadPool::Arena {
-    explicit Arena(int num_threads) : threads(num_threads) {}
+    explicit Arena(int num_threads)
+        : limit(tbb::global_control::max_allowed_parallelism, std::size_t(num_threads)), threads(num_threads)
+    {
+    }
+    /// Lets there be more threads than processors.
+    tbb::global_control limit;
     tbb::task_arena threads;
 };
 

@@ -1,54 +1,10 @@
 // Runs 03_textures as students do.
-#include "temporary_directory.h"
+#include "textures_run.h"
 
 #include <cglib/core/image.h>
 #include <cglib/rt/assignment_images.h>
 
 #include <gtest/gtest.h>
-
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
-namespace {
-std::string contents(std::string const& path)
-{
-    std::ostringstream out;
-    out << std::ifstream(path, std::ios::binary).rdbuf();
-    return out.str();
-}
-
-/// A program that has run in a folder of its own.
-class TexturesRun {
-public:
-    explicit TexturesRun(std::string const& program) : program_(program) {}
-
-    int exit_code(std::string const& arguments)
-    {
-        std::string const command =
-            "cd '" + directory.path() + "' && '" + program_ + "' " + arguments + " > out 2> err";
-        int const status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
-    std::string out() const { return contents(directory.path("out")); }
-    std::string err() const { return contents(directory.path("err")); }
-    std::string image(std::string const& name) const { return directory.path("assignment_images/" + name + ".png"); }
-
-    int num_images() const
-    {
-        auto const files = std::filesystem::directory_iterator(directory.path("assignment_images"));
-        return int(std::distance(begin(files), end(files)));
-    }
-
-    TemporaryDirectory directory;
-
-private:
-    std::string program_;
-};
-}  // namespace
 
 TEST(CreateImages, BothSpellingsWriteAllPictures)
 {
@@ -109,18 +65,4 @@ TEST(CreateImages, PictureThatCannotBeWrittenIsAnError)
     std::filesystem::create_directories(run.image("plane_after_c"));
     EXPECT_EQ(run.exit_code("--create_images"), 2);
     EXPECT_NE(run.err().find("plane_after_c.png"), std::string::npos);
-}
-
-TEST(CommandLine, UnknownOptionIsAnError)
-{
-    TexturesRun run(TEXTURES_PROGRAM);
-    EXPECT_EQ(run.exit_code("--create_imges"), 2);
-    EXPECT_NE(run.err().find("--create_imges"), std::string::npos);
-}
-
-TEST(CommandLine, NoArgumentsPrintTheUsage)
-{
-    TexturesRun run(TEXTURES_PROGRAM);
-    EXPECT_EQ(run.exit_code(""), 0);
-    EXPECT_NE(run.out().find("--create_images"), std::string::npos);
 }

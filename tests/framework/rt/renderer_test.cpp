@@ -33,8 +33,8 @@ glm::vec3 rgb(Image const& image, int x, int y)
 Scene textured_scene()
 {
     Scene scene = scene_of_one_sphere();
-    scene.textures.push_back(std::make_shared<ImageTexture>(numbered_image(8, 8), NEAREST, REPEAT));
-    scene.objects[0]->material->k_d = scene.textures[0];
+    scene.textures.push_back({std::make_shared<ImageTexture>(numbered_image(8, 8), NEAREST, REPEAT), nullptr});
+    scene.objects[0]->material->k_d = scene.textures[0].texture;
     return scene;
 }
 }  // namespace
@@ -83,8 +83,8 @@ TEST(Renderer, FilterAndWrapReachTheTextures)
     RaytracingParameters params = parameters(RECURSIVE, BILINEAR);
     params.tex_wrap_mode = CLAMP;
     rendered(scene, params);
-    EXPECT_EQ(scene.textures[0]->filter_mode, BILINEAR);
-    EXPECT_EQ(scene.textures[0]->wrap_mode, CLAMP);
+    EXPECT_EQ(scene.textures[0].texture->filter_mode, BILINEAR);
+    EXPECT_EQ(scene.textures[0].texture->wrap_mode, CLAMP);
 }
 
 TEST(Renderer, MipLevelsAreMadeOnceAndOnlyWhereRead)
@@ -93,13 +93,13 @@ TEST(Renderer, MipLevelsAreMadeOnceAndOnlyWhereRead)
     for (RaytracingParameters const& params : {parameters(RECURSIVE), parameters(RECURSIVE, BILINEAR),
                                                parameters(DUDV, TRILINEAR), parameters(NORMAL, TRILINEAR)}) {
         rendered(scene, params);
-        EXPECT_EQ(scene.textures[0]->get_mip_levels().size(), 1u);
+        EXPECT_EQ(scene.textures[0].texture->get_mip_levels().size(), 1u);
     }
     rendered(scene, parameters(RECURSIVE, TRILINEAR));
-    std::shared_ptr<Image> const level_1 = scene.textures[0]->get_mip_levels().at(1);
+    std::shared_ptr<Image> const level_1 = scene.textures[0].texture->get_mip_levels().at(1);
     rendered(scene, parameters(RECURSIVE, DEBUG_MIP));
-    EXPECT_EQ(scene.textures[0]->get_mip_levels().size(), 4u);
-    EXPECT_EQ(scene.textures[0]->get_mip_levels().at(1), level_1);
+    EXPECT_EQ(scene.textures[0].texture->get_mip_levels().size(), 4u);
+    EXPECT_EQ(scene.textures[0].texture->get_mip_levels().at(1), level_1);
 }
 
 TEST(Renderer, NearestObjectWins)
@@ -147,4 +147,22 @@ TEST(Renderer, ContextOfTheCallerIsActiveAgain)
     RaytracingContext::Activation const activation(context);
     rendered(scene, parameters(NORMAL));
     EXPECT_EQ(RaytracingContext::get_active(), &context);
+}
+
+TEST(Renderer, TextureIsLoadedWhenItIsFirstNeeded)
+{
+    Scene scene = scene_of_one_sphere();
+    int loads = 0;
+    auto const texture = std::make_shared<ImageTexture>(NEAREST, REPEAT);
+    scene.objects[0]->material->k_d = texture;
+    scene.textures.push_back({texture, [&loads] {
+                                  ++loads;
+                                  return std::make_shared<Image>(numbered_image(4, 4));
+                              }});
+    Image image;
+    EXPECT_EQ(render_scene(scene, parameters(DUDV, TRILINEAR), &image).textures_loaded, 0u);
+    EXPECT_EQ(loads, 0);
+    EXPECT_EQ(render_scene(scene, parameters(RECURSIVE), &image).textures_loaded, 1u);
+    EXPECT_EQ(render_scene(scene, parameters(RECURSIVE), &image).textures_loaded, 0u);
+    EXPECT_EQ(loads, 1);
 }

@@ -39,16 +39,20 @@ TEST(Scenes, UnknownNameListsTheKnownOnes)
 TEST(Scenes, MissingTextureIsAnError)
 {
     AssetLibrary assets("/nowhere");
-    EXPECT_THROW(create_scene("plane", assets), std::runtime_error);
+    Image image;
+    for (std::string const& name : scene_names()) {
+        std::unique_ptr<Scene> const scene = create_scene(name, assets);
+        EXPECT_THROW(render_scene(*scene, RaytracingParameters(), &image), std::runtime_error) << name;
+    }
 }
 
-TEST(PlaneScene, HasOneTextureOfOneLevel)
+TEST(PlaneScene, HasOneTextureThatIsNotLoadedYet)
 {
     AssetLibrary assets(assets_directory());
     std::unique_ptr<Scene> const scene = create_scene("plane", assets);
     ASSERT_EQ(scene->textures.size(), 1u);
-    ASSERT_EQ(scene->textures[0]->get_mip_levels().size(), 1u);
-    EXPECT_EQ(scene->textures[0]->get_mip_levels()[0]->getWidth(), 128);
+    EXPECT_EQ(scene->textures[0].texture->get_mip_levels().size(), 0u);
+    EXPECT_EQ(scene->textures[0].load()->getWidth(), 128);
     EXPECT_EQ(scene->camera.position(), glm::vec3(10.f, 7.f, 10.f));
 }
 
@@ -87,4 +91,50 @@ TEST(PlaneScene, FootprintsGrowTowardsTheHorizon)
     Image const image = picture("plane_after_d_dudv");
     EXPECT_EQ(image.getPixel(128, 5).b, 1.f);
     EXPECT_EQ(glm::vec3(image.getPixel(128, 252)), glm::vec3(1.f, 0.f, 0.f));
+}
+
+TEST(GoBoardScene, HasABoardAndAsManyBlackStonesAsWhite)
+{
+    AssetLibrary assets(assets_directory());
+    std::unique_ptr<Scene> const scene = create_scene("goboard", assets);
+    ASSERT_EQ(scene->objects.size(), 83u);
+    int black = 0;
+    for (std::size_t i = 1; i < scene->objects.size(); ++i)
+        black += scene->objects[i]->material->k_d->evaluate(glm::vec2(0.f)).r < 0.1f ? 1 : 0;
+    EXPECT_EQ(black, 41);
+}
+
+TEST(GoBoardScene, StonesLieFlatOnTheBoardAndDoNotTouch)
+{
+    AssetLibrary assets(assets_directory());
+    std::unique_ptr<Scene> const scene = create_scene("goboard", assets);
+    for (std::size_t i = 1; i < scene->objects.size(); ++i) {
+        Object const& stone = *scene->objects[i];
+        Bounds const bounds = stone.geo->bounds(stone.transform_object_to_world);
+        EXPECT_NEAR(bounds.lower.y, 0.f, 1e-5f);
+        EXPECT_NEAR(bounds.upper.y, 2.3f, 0.02f);
+        for (std::size_t j = 1; j < i; ++j) {
+            glm::vec3 const apart(stone.transform_object_to_world[3] - scene->objects[j]->transform_object_to_world[3]);
+            EXPECT_GT(glm::length(apart), 4.5f);
+        }
+    }
+}
+
+TEST(PoolTableScene, BallsFormATriangle)
+{
+    AssetLibrary assets(assets_directory());
+    std::unique_ptr<Scene> const scene = create_scene("pooltable", assets);
+    ASSERT_EQ(scene->objects.size(), 16u);
+    EXPECT_EQ(glm::vec3(scene->objects[0]->transform_object_to_world[3]), glm::vec3(0.f));
+    EXPECT_EQ(glm::vec3(scene->objects[10]->transform_object_to_world[3]), glm::vec3(-4.f, 0.f, 8.f));
+    EXPECT_EQ(glm::vec3(scene->objects[14]->transform_object_to_world[3]), glm::vec3(4.f, 0.f, 8.f));
+    EXPECT_EQ(scene->textures.size(), 17u);
+}
+
+TEST(SphereScene, BothObjectsHaveNormalMaps)
+{
+    AssetLibrary assets(assets_directory());
+    std::unique_ptr<Scene> const scene = create_scene("sphere", assets);
+    for (auto const& object : scene->objects)
+        EXPECT_TRUE(object->material->has_normal_map());
 }
