@@ -1,0 +1,6 @@
+#include "textures.h"
+
+Image make_apartment()
+{
+    return Image(2048, 1024);
+}
