@@ -1,6 +1,7 @@
 #include "panorama.h"
 
 #include "raster.h"
+#include "shadow_grid.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -10,7 +11,7 @@
 namespace {
 int const width = 2048;
 int const height = 1024;
-int const tile_size = 32;
+int const tile_size = 16;
 /// Along each side of a texel.
 int const num_samples = 2;
 float const texel_angle = glm::pi<float>() / float(height);
@@ -72,8 +73,9 @@ glm::vec3 encoded(glm::vec3 const& light)
     return glm::sqrt(1.f - glm::exp(-light));
 }
 
-/// The mean of several samples. Light varies slowly: it is found once for each face that the texel shows.
-glm::vec3 texel_color(Room const& room, TileBlocks const& blocks, int x, int y)
+/// The mean of several samples. Light varies slowly, but for that of the sun: it is found once for each face that the
+/// texel shows.
+glm::vec3 texel_color(Room const& room, ShadowGrid const& shadows, TileBlocks const& blocks, int x, int y)
 {
     glm::vec3 sum(0.f);
     glm::vec3 light(0.f);
@@ -85,7 +87,7 @@ glm::vec3 texel_color(Room const& room, TileBlocks const& blocks, int x, int y)
             light = arriving_light(room, blocks.nearby, hit);
         lit_face = hit.face;
         Surface const surface = room.surface(hit);
-        sum += encoded(surface.emission + surface.albedo * light);
+        sum += encoded(surface.emission + surface.albedo * (light + shadows.sun_light(hit)));
     }
     return sum / float(num_samples * num_samples);
 }
@@ -93,6 +95,7 @@ glm::vec3 texel_color(Room const& room, TileBlocks const& blocks, int x, int y)
 
 Image make_panorama(Room const& room)
 {
+    ShadowGrid const shadows(room);
     int const num_columns = width / tile_size;
     std::vector<TileBlocks> tiles(std::size_t(num_columns) * std::size_t(height / tile_size));
     for_each_row(int(tiles.size()), [&](int i) {
@@ -100,6 +103,6 @@ Image make_panorama(Room const& room)
             tile_blocks(room, float(i % num_columns * tile_size), float(i / num_columns * tile_size));
     });
     return make_image(width, height, [&](int x, int y) {
-        return texel_color(room, tiles[std::size_t(x / tile_size + y / tile_size * num_columns)], x, y);
+        return texel_color(room, shadows, tiles[std::size_t(x / tile_size + y / tile_size * num_columns)], x, y);
     });
 }

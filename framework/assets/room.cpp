@@ -10,20 +10,14 @@ int const faces_per_block = 8;
 /// Into the block's own axes, where it is not turned.
 glm::vec3 unrolled(Block const& block, glm::vec3 const& v)
 {
-    if (block.roll == 0.f)
-        return v;
-    float const c = std::cos(block.roll);
-    float const s = std::sin(block.roll);
-    return glm::vec3(c * v.x + s * v.y, c * v.y - s * v.x, v.z);
+    glm::vec2 const r = block.roll;
+    return glm::vec3(r.x * v.x + r.y * v.y, r.x * v.y - r.y * v.x, v.z);
 }
 
 glm::vec3 rolled(Block const& block, glm::vec3 const& v)
 {
-    if (block.roll == 0.f)
-        return v;
-    float const c = std::cos(block.roll);
-    float const s = std::sin(block.roll);
-    return glm::vec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+    glm::vec2 const r = block.roll;
+    return glm::vec3(r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y, v.z);
 }
 
 /// Distance to where the ray enters the box, and the axis of the face; a negative distance if it misses.
@@ -95,7 +89,7 @@ void meet_walls(Room const& room, glm::vec3 const& origin, glm::vec3 const& dire
 
 void add_box(Room& room, glm::vec3 const& low, glm::vec3 const& high, int material, float bevel)
 {
-    Block const block = {0.5f * (low + high), 0.5f * (high - low), material, 0.f, bevel};
+    Block const block = {0.5f * (low + high), 0.5f * (high - low), material, {1.f, 0.f}, bevel};
     // The bevel of a piece would show where it was cut.
     if (bevel > 0.f)
         room.blocks.push_back(block);
@@ -107,7 +101,7 @@ void add_bar(Room& room, glm::vec3 const& from, glm::vec3 const& to, float half_
 {
     glm::vec3 const along = to - from;
     glm::vec3 const half_size(0.5f * glm::length(along), half_width, half_width);
-    add_block(room, {0.5f * (from + to), half_size, material, std::atan2(along.y, along.x), 0.f});
+    add_block(room, {0.5f * (from + to), half_size, material, glm::normalize(glm::vec2(along)), 0.f});
 }
 
 Hit trace(Room const& room, BlockList const& blocks, glm::vec3 const& origin, glm::vec3 const& direction)

@@ -18,8 +18,8 @@ struct Block {
     glm::vec3 center;
     glm::vec3 half_size;
     int material;
-    /// Radians it is turned about z, from x to y.
-    float roll = 0.f;
+    /// Cosine and sine of the angle it is turned about z, from x to y.
+    glm::vec2 roll = glm::vec2(1.f, 0.f);
     /// How round its edges look, in metres; its shape stays a box.
     float bevel = 0.f;
 };
@@ -79,7 +79,7 @@ Hit trace(Room const& room, BlockList const& blocks, glm::vec3 const& origin, gl
 /// How far from p the nearest of the walls and the blocks listed is.
 float free_distance(Room const& room, BlockList const& blocks, glm::vec3 const& p);
 
-/// The light that arrives at a place: from all around, from lamps (without shadows) and from the sun.
+/// The light that arrives at a place: from all around and from lamps (without shadows), not from the sun.
 /// nearby lists at least the blocks within occlusion_range of it.
 glm::vec3 arriving_light(Room const& room, BlockList const& nearby, Hit const& hit);
 

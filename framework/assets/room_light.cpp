@@ -1,7 +1,7 @@
 #include "room.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace {
 /// Keeps the light of a lamp finite next to it, in square metres.
@@ -28,22 +28,6 @@ glm::vec3 lamp_light(Lamp const& lamp, Hit const& hit)
     return lamp.power * (std::max(arriving, 0.f) * std::max(leaving, 0.f) / (square + lamp_area));
 }
 
-BlockList all_blocks(Room const& room)
-{
-    BlockList all(room.blocks.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-}
-
-glm::vec3 sun_light(Room const& room, Hit const& hit)
-{
-    float const arriving = glm::dot(hit.normal, room.sun_direction);
-    float const entering = arriving > 0.f ? room.sun_enters(hit.position) : 0.f;
-    if (entering <= 0.f)
-        return glm::vec3(0.f);
-    Hit const blocker = trace(room, all_blocks(room), hit.position + 0.01f * hit.normal, room.sun_direction);
-    return blocker.face >= 0 ? glm::vec3(0.f) : room.sun_light * (arriving * entering);
-}
 }  // namespace
 
 glm::vec3 arriving_light(Room const& room, BlockList const& nearby, Hit const& hit)
@@ -51,5 +35,5 @@ glm::vec3 arriving_light(Room const& room, BlockList const& nearby, Hit const& h
     glm::vec3 light = glm::mix(room.light_from_below, room.light_from_above, 0.5f + 0.5f * hit.normal.y);
     for (Lamp const& lamp : room.lamps)
         light += lamp_light(lamp, hit);
-    return light * openness(room, nearby, hit) + sun_light(room, hit);
+    return light * openness(room, nearby, hit);
 }

@@ -31,13 +31,13 @@ Surface floor_surface(Hit const& hit)
     glm::vec2 const p(hit.position.x, hit.position.z);
     float const f = hit.footprint;
     float const joint = std::max(lines(p.x - 2.f, 4.f, 0.03f, f), lines(p.y, 4.f, 0.03f, f));
-    float const stain = smooth_step(0.05f, 0.25f, mottle(p, 3.5f, 5));
-    float const grain = mottle(p, 0.15f, 7) * visible(0.15f, f);
-    glm::vec3 color = glm::vec3(0.33f, 0.325f, 0.315f) * (1.f + 0.5f * mottle(p, 1.6f, 6) + 0.3f * grain);
-    color *= (1.f - 0.5f * joint) * (1.f - 0.35f * stain);
-    float const marking = lines(std::abs(p.x) - 7.5f, 100.f, 0.14f, f) * (0.75f + 0.5f * mottle(p, 0.3f, 8));
-    color = glm::mix(color, glm::vec3(0.72f, 0.52f, 0.08f), glm::clamp(marking, 0.f, 1.f));
-    return {color, gloss(hit) * (0.8f + 0.8f * mottle(p, 1.2f, 9))};
+    float const cloud = mottle(p, 1.6f, 6);
+    float const stain = smooth_step(0.08f, 0.3f, mottle(p, 4.f, 5));
+    float const grain = visible(0.15f, f) * (periodic_noise(p / 0.08f, 4096, 7) - 0.5f);
+    glm::vec3 color = glm::vec3(0.30f, 0.295f, 0.285f) * (1.f + 0.5f * cloud + 0.14f * grain);
+    color *= (1.f - 0.5f * joint) * (1.f - 0.4f * stain);
+    float const marking = lines(std::abs(p.x) - 7.5f, 100.f, 0.14f, f) * glm::clamp(0.85f + cloud, 0.f, 1.f);
+    return {glm::mix(color, glm::vec3(0.72f, 0.52f, 0.08f), marking), gloss(hit) * (0.9f - 0.9f * cloud)};
 }
 
 glm::vec3 brick(glm::vec2 const& p, float footprint)
