@@ -1,4 +1,5 @@
 #include "noise.h"
+#include "raster.h"
 #include "textures.h"
 
 #include <cmath>
@@ -50,26 +51,15 @@ float tone(int x, int y)
     return 1.f + 0.16f * stone + 0.05f * grain;
 }
 
-/// Nearest value that an 8-bit file can hold.
-float to_8_bit(float value)
+glm::vec3 texel(int x, int y)
 {
-    return std::floor(glm::clamp(value, 0.f, 1.f) * 255.f + 0.5f) / 255.f;
-}
-
-glm::vec4 texel(int x, int y)
-{
-    glm::vec2 const p = (glm::vec2(float(x), float(y)) + 0.5f) / float(size);
+    glm::vec2 const p = texel_center(x, y, size, size);
     bool const is_light = (x / field_size + y / field_size) % 2 == 0;
-    glm::vec3 const color = tone(x, y) * marble_color(is_light ? light : dark, p);
-    return glm::vec4(to_8_bit(color.r), to_8_bit(color.g), to_8_bit(color.b), 1.f);
+    return tone(x, y) * marble_color(is_light ? light : dark, p);
 }
 }  // namespace
 
 Image make_checker()
 {
-    Image image(size, size);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            image.setPixel(x, y, texel(x, y));
-    return image;
+    return make_image(size, size, texel);
 }

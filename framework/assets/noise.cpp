@@ -34,9 +34,9 @@ float smooth_step(float low, float high, float value)
 float periodic_noise(glm::vec2 const& p, int period, std::uint32_t seed)
 {
     glm::vec2 const cell(std::floor(p.x), std::floor(p.y));
-    int const x = int(cell.x);
-    int const y = int(cell.y);
-    auto const at = [&](int i, int j) { return hash_to_unit(wrap(x + i, period), wrap(y + j, period), seed); };
+    int const x[] = {wrap(int(cell.x), period), wrap(int(cell.x) + 1, period)};
+    int const y[] = {wrap(int(cell.y), period), wrap(int(cell.y) + 1, period)};
+    auto const at = [&](int i, int j) { return hash_to_unit(x[i], y[j], seed); };
     glm::vec2 const f(smooth_step(0.f, 1.f, p.x - cell.x), smooth_step(0.f, 1.f, p.y - cell.y));
     float const lower = at(0, 0) + f.x * (at(1, 0) - at(0, 0));
     float const upper = at(0, 1) + f.x * (at(1, 1) - at(0, 1));
