@@ -124,7 +124,7 @@ tidy() {
 
 # What students get, built the way the sheet says, in a folder named the way students name folders: as it is handed out,
 # and with the solution in it. The template makes no mip levels beyond the first.
-renderings=7 mip_levels=8
+renderings=19 mip_levels=8
 template() {
     local folder
     folder=$(mktemp -d)

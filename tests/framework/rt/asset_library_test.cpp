@@ -61,8 +61,8 @@ TEST(AssetLibrary, CacheIsWhatIsRead)
     file.seekp(-4, std::ios::end);  // the last texel
     file.put(51);
     file.close();
-    EXPECT_EQ(folder.library.load("a", 1.f)->getPixel(3, 3).r, 0.2f);
-    EXPECT_EQ(folder.library.load("a", 2.f)->texel(3, 3).r, 0.04f);
+    EXPECT_FLOAT_EQ(folder.library.load("a", 1.f)->getPixel(3, 3).r, 0.2f);
+    EXPECT_FLOAT_EQ(folder.library.load("a", 2.f)->texel(3, 3).r, 0.04f);
 }
 
 TEST(AssetLibrary, ChangedPictureIsDecodedAgain)
