@@ -48,9 +48,9 @@ float pores(glm::vec2 const& p)
 /// Hairline cracks run where two values of a slow noise meet, and only in some places.
 float crack(glm::vec2 const& p)
 {
-    float const path = periodic_turbulence(3.f * p, 3, 6, 21);
-    float const place = smooth_step(0.52f, 0.62f, periodic_noise(4.f * p, 4, 22));
-    return place * (1.f - smooth_step(0.f, 0.006f, std::abs(path - 0.5f)));
+    float const path = periodic_turbulence(3.f * p, 3, 4, 21);
+    float const place = smooth_step(0.58f, 0.68f, periodic_noise(3.f * p, 3, 24));
+    return place * (1.f - smooth_step(0.f, 0.005f, std::abs(path - 0.5f)));
 }
 
 float floor_height(glm::vec2 const& p)

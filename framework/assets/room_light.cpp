@@ -13,7 +13,7 @@ float openness(Room const& room, BlockList const& nearby, Hit const& hit)
     float closed = 0.f;
     for (float const step : {0.06f, 0.2f, 0.5f, occlusion_range}) {
         float const room_there = free_distance(room, nearby, hit.position + step * hit.normal);
-        closed += 0.26f * glm::clamp(1.f - room_there / step, 0.f, 1.f);
+        closed += 0.16f * glm::clamp(1.f - room_there / step, 0.f, 1.f);
     }
     return std::max(1.f - closed, 0.f);
 }

@@ -61,7 +61,7 @@ glm::vec3 stone_tone(StonePoint const& point)
                                       {0.56f, 0.47f, 0.39f}, {0.66f, 0.63f, 0.57f}, {0.50f, 0.44f, 0.40f}};
     int const kind = int(property(point, 41) * 6.f);
     glm::vec3 const tone = glm::mix(kinds[kind], kinds[(kind + 1) % 6], 0.5f * property(point, 42));
-    return tone * (0.85f + 0.25f * property(point, 43));
+    return tone * (0.88f + 0.32f * property(point, 43));
 }
 
 glm::vec3 stone_color(StonePoint const& point, glm::vec2 const& p)
@@ -75,7 +75,7 @@ glm::vec3 stone_color(StonePoint const& point, glm::vec2 const& p)
 
 glm::vec3 mortar_color(glm::vec2 const& p)
 {
-    return glm::vec3(0.55f, 0.52f, 0.47f) * (0.75f + 0.4f * periodic_turbulence(90.f * p, 90, 3, 61));
+    return glm::vec3(0.66f, 0.64f, 0.60f) * (0.75f + 0.4f * periodic_turbulence(90.f * p, 90, 3, 61));
 }
 
 /// What lies deeper than its surroundings gets less light.
@@ -83,7 +83,7 @@ glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings)
 {
     StonePoint const point = stone_at(p);
     glm::vec3 const color = glm::mix(mortar_color(p), stone_color(point, p), stoniness(point));
-    return color * glm::clamp(0.95f + 0.045f * above_surroundings, 0.35f, 1.15f);
+    return color * glm::clamp(1.05f + 0.06f * above_surroundings, 0.30f, 1.15f);
 }
 }  // namespace
 
