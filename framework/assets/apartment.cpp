@@ -204,7 +204,7 @@ Room make_flat()
     room.light_from_above = glm::vec3(0.50f, 0.49f, 0.47f);
     room.light_from_below = glm::vec3(0.60f, 0.54f, 0.46f);
     room.sun_direction = sun_over_flat();
-    room.sun_light = glm::vec3(2.3f, 2.0f, 1.55f);
+    room.sun_light = glm::vec3(3.0f, 2.6f, 2.0f);
     room.surface = &flat_surface;
     room.sun_enters = &sun_in_flat;
     return room;

@@ -69,7 +69,7 @@ glm::vec3 stone_color(StonePoint const& point, glm::vec2 const& p)
     float const stain = periodic_turbulence(9.f * p, 9, 4, 51 + std::uint32_t(point.stone.y));
     float const speckle = periodic_noise(256.f * p, 256, 52);
     float const lichen = smooth_step(0.62f, 0.75f, periodic_turbulence(12.f * p, 12, 5, 53));
-    glm::vec3 const stone = stone_tone(point) * (0.72f + 0.46f * stain + 0.16f * (speckle - 0.5f));
+    glm::vec3 const stone = stone_tone(point) * (0.64f + 0.56f * stain + 0.16f * (speckle - 0.5f));
     return glm::mix(stone, glm::vec3(0.60f, 0.60f, 0.44f), 0.45f * lichen);
 }
 
@@ -78,12 +78,12 @@ glm::vec3 mortar_color(glm::vec2 const& p)
     return glm::vec3(0.66f, 0.64f, 0.60f) * (0.75f + 0.4f * periodic_turbulence(90.f * p, 90, 3, 61));
 }
 
-/// What lies deeper than its surroundings gets less light.
-glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings)
+/// What lies deeper than its surroundings, or its neighbours, gets less light.
+glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings, float above_neighbours)
 {
     StonePoint const point = stone_at(p);
     glm::vec3 const color = glm::mix(mortar_color(p), stone_color(point, p), stoniness(point));
-    return color * glm::clamp(1.05f + 0.06f * above_surroundings, 0.30f, 1.15f);
+    return color * glm::clamp(0.98f + 0.055f * above_surroundings + 0.10f * above_neighbours, 0.25f, 1.25f);
 }
 }  // namespace
 
@@ -91,8 +91,10 @@ Image make_stonewall_diffuse()
 {
     HeightField const heights = make_heights();
     HeightField const surroundings = heights.blurred(10);
+    HeightField const neighbours = heights.blurred(2);
     return make_image(size, size, [&](int x, int y) {
-        return wall_color(texel_center(x, y, size, size), heights.at(x, y) - surroundings.at(x, y));
+        float const h = heights.at(x, y);
+        return wall_color(texel_center(x, y, size, size), h - surroundings.at(x, y), h - neighbours.at(x, y));
     });
 }
 

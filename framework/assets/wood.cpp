@@ -44,6 +44,6 @@ glm::vec3 wood_color(WoodPoint const& point)
 {
     glm::vec3 const early(0.890f, 0.700f, 0.435f);
     glm::vec3 const late(0.715f, 0.455f, 0.215f);
-    glm::vec3 const color = glm::mix(early, late, 0.62f * point.ring);
+    glm::vec3 const color = glm::mix(early, late, 0.70f * point.ring);
     return color * (0.88f + 0.20f * point.fibre) * (1.f - point.pore * glm::vec3(0.16f, 0.24f, 0.34f));
 }
