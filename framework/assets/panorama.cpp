@@ -65,10 +65,11 @@ Hit look(Room const& room, BlockList const& seen, float x, float y)
     return hit;
 }
 
-/// Bright light saturates softly. The root encodes for gamma 2.
+/// Bright light saturates softly, and little light fades, as on film. The root encodes for gamma 2.
 glm::vec3 encoded(glm::vec3 const& light)
 {
-    return glm::sqrt(1.f - glm::exp(-light));
+    glm::vec3 const exposed = 1.2f * light * light / (light + 0.1f);
+    return glm::sqrt(1.f - glm::exp(-exposed));
 }
 
 /// The mean of several samples. Patterns are blurred already: only where faces meet the third and fourth are needed.
