@@ -91,5 +91,5 @@ Image make_concrete_diffuse()
 
 Image make_concrete_normal()
 {
-    return make_normal_map(make_heights());
+    return make_normal_map(make_heights(), Bitangent::along_v);
 }

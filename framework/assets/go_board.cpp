@@ -73,6 +73,7 @@ Image make_go_board_diffuse()
 
 Image make_go_board_normal()
 {
-    return make_normal_map(HeightField(size, size, Border::clamp,
-                                       [](int x, int y) { return board_height(texel_center(x, y, size, size)); }));
+    HeightField const heights(size, size, Border::clamp,
+                              [](int x, int y) { return board_height(texel_center(x, y, size, size)); });
+    return make_normal_map(heights, Bitangent::along_v);
 }

@@ -44,6 +44,8 @@ float stone_relief(StonePoint const& point, glm::vec2 const& p)
 float wall_height(glm::vec2 const& p)
 {
     StonePoint const point = stone_at(p);
+    if (stoniness(point) == 1.f)
+        return stone_relief(point, p);
     float const mortar = 5.f * (periodic_turbulence(64.f * p, 64, 3, 31) - 0.5f);
     return glm::mix(mortar, stone_relief(point, p), stoniness(point));
 }
@@ -82,7 +84,9 @@ glm::vec3 mortar_color(glm::vec2 const& p)
 glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings, float above_neighbours)
 {
     StonePoint const point = stone_at(p);
-    glm::vec3 const color = glm::mix(mortar_color(p), stone_color(point, p), stoniness(point));
+    float const stony = stoniness(point);
+    glm::vec3 const color =
+        stony < 1.f ? glm::mix(mortar_color(p), stone_color(point, p), stony) : stone_color(point, p);
     return color * glm::clamp(0.98f + 0.055f * above_surroundings + 0.10f * above_neighbours, 0.25f, 1.25f);
 }
 }  // namespace
@@ -100,5 +104,5 @@ Image make_stonewall_diffuse()
 
 Image make_stonewall_normal()
 {
-    return make_normal_map(make_heights());
+    return make_normal_map(make_heights(), Bitangent::against_v);
 }

@@ -39,13 +39,22 @@ TEST(HeightField, BlurTakesMeansOfSquares)
 TEST(NormalMap, LeansAgainstTheSlope)
 {
     glm::vec3 const expected = glm::normalize(glm::vec3(-0.5f, 1.f, -0.25f));
-    glm::vec3 const normal = normal_at(make_normal_map(slope(Border::clamp)), 3, 2);
+    glm::vec3 const normal = normal_at(make_normal_map(slope(Border::clamp), Bitangent::along_v), 3, 2);
     for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(normal[i], expected[i], 0.005f);
 }
 
+TEST(NormalMap, FollowsTheBitangent)
+{
+    Image const along = make_normal_map(slope(Border::clamp), Bitangent::along_v);
+    Image const against = make_normal_map(slope(Border::clamp), Bitangent::against_v);
+    EXPECT_EQ(normal_at(along, 3, 2).x, normal_at(against, 3, 2).x);
+    EXPECT_NEAR(normal_at(along, 3, 2).z, -normal_at(against, 3, 2).z, 0.005f);
+}
+
 TEST(NormalMap, FlatIsBlue)
 {
-    Image const image = make_normal_map(HeightField(2, 2, Border::repeat, [](int, int) { return 3.f; }));
+    HeightField const flat(2, 2, Border::repeat, [](int, int) { return 3.f; });
+    Image const image = make_normal_map(flat, Bitangent::along_v);
     EXPECT_EQ(image.getPixel(1, 0), glm::vec4(128.f / 255.f, 128.f / 255.f, 1.f, 1.f));
 }
