@@ -143,9 +143,9 @@ void add_floor_lamp(Room& room, float x, float z)
 void add_ceiling_lamp(Room& room)
 {
     float const y = flat_ceiling_y;
-    add_box(room, {0.58f, y - 0.5f, 0.38f}, {0.62f, y, 0.42f}, flat_metal);
-    add_box(room, {0.35f, y - 0.72f, 0.15f}, {0.85f, y - 0.5f, 0.65f}, flat_shade, 0.08f);
-    room.lamps.push_back({{0.6f, y - 0.75f, 0.4f}, {0.f, -1.f, 0.f}, glm::vec3(0.6f, 0.5f, 0.36f)});
+    add_box(room, {1.29f, y - 0.4f, 0.89f}, {1.31f, y, 0.91f}, flat_metal);
+    add_box(room, {1.12f, y - 0.62f, 0.72f}, {1.48f, y - 0.4f, 1.08f}, flat_shade, 0.08f);
+    room.lamps.push_back({{1.3f, y - 0.65f, 0.9f}, {0.f, -1.f, 0.f}, glm::vec3(0.6f, 0.5f, 0.36f)});
 }
 
 /// With a screen on it, at the wall at -x.
@@ -201,10 +201,10 @@ Room make_flat()
     add_sideboard(room);
     add_plant(room, 2.7f, -2.1f);
     add_daylight(room);
-    room.light_from_above = glm::vec3(0.42f, 0.41f, 0.39f);
-    room.light_from_below = glm::vec3(0.36f, 0.32f, 0.27f);
+    room.light_from_above = glm::vec3(0.50f, 0.49f, 0.47f);
+    room.light_from_below = glm::vec3(0.60f, 0.54f, 0.46f);
     room.sun_direction = sun_over_flat();
-    room.sun_light = glm::vec3(2.3f, 2.0f, 1.55f);
+    room.sun_light = glm::vec3(3.0f, 2.6f, 2.0f);
     room.surface = &flat_surface;
     room.sun_enters = &sun_in_flat;
     return room;

@@ -34,7 +34,7 @@ glm::vec3 rug(glm::vec2 const& p, float footprint)
     glm::vec3 const blue(0.10f, 0.17f, 0.27f);
     glm::vec3 const cream(0.66f, 0.60f, 0.48f);
     float const field = in_rectangle({-0.75f, -1.1f}, {1.45f, 1.1f}, p, footprint);
-    float const zigzag = std::abs(p.x * 4.f - std::floor(p.x * 4.f) - 0.5f) * 0.22f;
+    float const zigzag = std::abs(p.x * 4.f - std::floor(p.x * 4.f) - 0.5f) * 0.10f;
     float const stripe = lines(p.y + zigzag, 0.36f, 0.06f, footprint);
     glm::vec3 const inner =
         glm::mix(blue, glm::mix(cream, glm::vec3(0.5f, 0.16f, 0.10f), between(-0.55f, 0.55f, p.y, footprint)), stripe);
@@ -179,7 +179,8 @@ glm::vec3 curtain_color(Hit const& hit)
 
 Surface shade_surface(Hit const& hit)
 {
-    glm::vec3 const glow = glm::vec3(1.7f, 1.15f, 0.62f) * (0.75f + 0.25f * std::abs(hit.normal.y));
+    float const paper = ribs(hit.position.y, 0.06f, 0.12f, hit.footprint);
+    glm::vec3 const glow = glm::vec3(1.6f, 1.1f, 0.6f) * (0.7f + 0.6f * std::abs(hit.normal.y)) * paper;
     return {glm::vec3(0.6f, 0.55f, 0.45f), glow};
 }
 }  // namespace
