@@ -141,6 +141,9 @@ template() {
     cp -- "$root/references/exercise_03.cpp" ..
     quietly solution-make make
     create_images $((renderings + mip_levels))
+    quietly debug-cmake cmake -DCMAKE_BUILD_TYPE=Debug -DTESTAT_SANITIZE=address,undefined ../
+    quietly debug-make make -j "$jobs"
+    with_steady_addresses asan ./03_textures --scene plane --width 32 --height 32 --output small.png
 }
 
 # The program in this folder writes as many whole pictures as EXPECTED.
