@@ -29,7 +29,7 @@ glm::vec3 rug(glm::vec2 const& p, float footprint)
     glm::vec3 const cream(0.66f, 0.60f, 0.48f);
     float const field = in_rectangle({-0.75f, -1.1f}, {1.45f, 1.1f}, p, footprint);
     float const zigzag = std::abs(p.x * 4.f - std::floor(p.x * 4.f) - 0.5f) * 0.10f;
-    float const stripe = lines(p.y + zigzag, 0.36f, 0.06f, footprint);
+    float const stripe = lines(p.y + zigzag, 0.27f, 0.035f, footprint);
     glm::vec3 const inner =
         glm::mix(blue, glm::mix(cream, glm::vec3(0.5f, 0.16f, 0.10f), between(-0.55f, 0.55f, p.y, footprint)), stripe);
     return glm::mix(cream, inner, field) * (1.f + 0.3f * mottle(p, 0.03f, 55) * visible(0.03f, footprint));

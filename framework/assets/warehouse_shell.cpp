@@ -7,6 +7,13 @@
 #include <cmath>
 
 namespace {
+/// From the last row of columns.
+float along_bay(float z)
+{
+    float const bay = (z - hall_first_column_z) / hall_bay;
+    return hall_bay * (bay - std::floor(bay));
+}
+
 glm::vec3 brick(glm::vec2 const& p, float footprint)
 {
     float const row = std::floor(p.y / 0.2f);
@@ -34,14 +41,20 @@ Surface glazed(glm::vec3 const& color, float glass, float bars, float brightness
             hall_sky * (brightness * open)};
 }
 
+/// The window under the roof of an end wall.
+Surface glazed_gable(glm::vec3 const& color, glm::vec2 const& p, float footprint)
+{
+    float const glass = in_rectangle({-7.f, 6.6f}, {7.f, 8.6f}, p, footprint);
+    float const bars = std::max(lines(p.x, 1.f, 0.08f, footprint), lines(p.y - 6.6f, 1.f, 0.08f, footprint));
+    return glazed(color, glass, bars, 0.9f);
+}
+
 Surface side_wall_surface(Hit const& hit)
 {
     glm::vec2 const p(hit.position.z, hit.position.y - hall_floor_y);
     float const f = hit.footprint;
-    float const from_column =
-        p.x - hall_first_column_z + 1.f - hall_bay * std::floor((p.x - hall_first_column_z + 1.f) / hall_bay);
-    float const glass = in_rectangle({1.6f, 5.3f}, {6.4f - 1.0f, 6.9f}, {from_column, p.y}, f);
-    float const bars = std::max(lines(p.x - 0.f, 0.95f, 0.06f, f), lines(p.y - 5.3f, 0.8f, 0.06f, f));
+    float const glass = in_rectangle({0.8f, 5.3f}, {5.2f, 6.9f}, {along_bay(p.x), p.y}, f);
+    float const bars = std::max(lines(p.x, 0.95f, 0.06f, f), lines(p.y - 5.3f, 0.8f, 0.06f, f));
     return glazed(wall_color(p, f), glass, bars, 0.85f);
 }
 
@@ -58,11 +71,11 @@ Surface gate_wall_surface(Hit const& hit)
     float const f = hit.footprint;
     glm::vec3 color = wall_color(p, f);
     color = glm::mix(color, hazard(p.x + p.y, f), in_rectangle({-3.8f, 0.f}, {3.8f, 5.3f}, p, f));
-    if (in_rectangle({-3.5f, -1.f}, {3.5f, 5.f}, p, f) > 0.f)
-        color = glm::mix(color, gate_color(p, f), in_rectangle({-3.5f, -1.f}, {3.5f, 5.f}, p, f));
+    float const gate = in_rectangle({-3.5f, -1.f}, {3.5f, 5.f}, p, f);
+    if (gate > 0.f)
+        color = glm::mix(color, gate_color(p, f), gate);
     color = glm::mix(color, glm::vec3(0.12f, 0.30f, 0.18f), in_rectangle({5.5f, 0.f}, {6.6f, 2.2f}, p, f));
-    float const glass = in_rectangle({-7.f, 6.6f}, {7.f, 8.6f}, p, f);
-    return glazed(color, glass, std::max(lines(p.x, 1.f, 0.08f, f), lines(p.y - 6.6f, 1.f, 0.08f, f)), 0.9f);
+    return glazed_gable(color, p, f);
 }
 
 /// A yard with trees behind it.
@@ -85,8 +98,7 @@ Surface open_wall_surface(Hit const& hit)
     float const open = in_rectangle({-4.f, -1.f}, {4.f, 5.f}, p, f);
     if (open > 0.f)
         return {frame * (1.f - open), outside(hit.position / hit.t) * open};
-    float const glass = in_rectangle({-7.f, 6.6f}, {7.f, 8.6f}, p, f);
-    return glazed(frame, glass, std::max(lines(p.x, 1.f, 0.08f, f), lines(p.y - 6.6f, 1.f, 0.08f, f)), 0.9f);
+    return glazed_gable(frame, p, f);
 }
 
 Surface roof_surface(Hit const& hit)
@@ -95,9 +107,8 @@ Surface roof_surface(Hit const& hit)
     float const purlin = lines(std::abs(hit.position.x) - 1.2f, 2.4f, 0.18f, f);
     glm::vec3 const sheet = glm::vec3(0.46f, 0.47f, 0.47f) * ribs(hit.position.z, 0.4f, 0.12f, f);
     float const bars = std::max(lines(hit.position.x, 1.35f, 0.07f, f), lines(hit.position.z - 0.5f, 1.f, 0.07f, f));
-    Surface surface =
-        glazed(glm::mix(sheet, 0.5f * hall_grey, purlin), skylight(hit.position, f), std::max(bars, purlin), 1.f);
-    return surface;
+    glm::vec3 const color = glm::mix(sheet, 0.5f * hall_grey, purlin);
+    return glazed(color, skylight(hit.position, f), std::max(bars, purlin), 1.f);
 }
 }  // namespace
 
@@ -113,9 +124,7 @@ glm::vec3 sun_over_hall()
 
 float skylight(glm::vec3 const& position, float footprint)
 {
-    float const bay =
-        position.z - hall_first_column_z - hall_bay * std::floor((position.z - hall_first_column_z) / hall_bay);
-    return in_rectangle({2.0f, 1.5f}, {7.4f, 4.5f}, {std::abs(position.x), bay}, footprint);
+    return in_rectangle({2.0f, 1.5f}, {7.4f, 4.5f}, {std::abs(position.x), along_bay(position.z)}, footprint);
 }
 
 float sun_in_hall(glm::vec3 const& position)
