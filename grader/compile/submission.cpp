@@ -33,8 +33,7 @@ bool is_binary(std::string const& bytes)
 {
     constexpr double most_controls = 0.01;
     auto const controls = std::count_if(bytes.begin(), bytes.end(), is_control);
-    bool const more_than_few = controls > 4 && double(controls) > most_controls * double(bytes.size());
-    return more_than_few || bytes.find('\0') != std::string::npos;
+    return double(controls) > most_controls * double(bytes.size()) || bytes.find('\0') != std::string::npos;
 }
 
 std::optional<std::string> reason_to_refuse(std::string const& bytes)
