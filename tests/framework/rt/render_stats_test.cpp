@@ -1,5 +1,5 @@
-// What each picture of the sheet takes: nothing is computed in vain. A changed count is a changed plan, scene or texture;
-// `03_textures --create_images --stats` prints the new ones.
+// What each picture of the sheet takes: nothing is computed in vain. A changed count is a changed plan, scene or
+// texture; `03_textures --create_images --stats` prints the new ones.
 #include <cglib/rt/render_stats.h>
 
 #include <cglib/core/build_paths.h>
@@ -15,7 +15,8 @@ namespace {
 using Counts = std::vector<std::uint64_t>;
 
 /// In the order of --create_images, each scene being made once: camera, corner, shadow, reflected, transmitted rays;
-/// object tests; material samples, tangent frames, normal-map lookups, environment lookups; mip levels, textures loaded.
+/// object tests; material samples, tangent frames, normal-map lookups, environment lookups; mip levels, textures
+/// loaded.
 // clang-format off
 std::vector<std::pair<std::string, Counts>> const expected = {
     // [counts]

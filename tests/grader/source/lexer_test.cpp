@@ -14,7 +14,8 @@ TEST(Lex, FindsIncludesInOrder)
 
 TEST(Lex, IncludesInCommentsAndLiteralsAreNone)
 {
-    EXPECT_EQ(lex("// #include <a.h>\n/*\n#include <b.h>\n*/\nauto s = R\"(\n#include <c.h>\n)\";\n").includes, Names());
+    EXPECT_EQ(lex("// #include <a.h>\n/*\n#include <b.h>\n*/\nauto s = R\"(\n#include <c.h>\n)\";\n").includes,
+              Names());
 }
 
 TEST(Lex, IncludesThatDependOnSomethingAreLeftOut)
