@@ -1,5 +1,6 @@
 #include "grade.h"
 
+#include "checks/picture_rounds.h"
 #include "checks/run_checks.h"
 #include "observe/observe.h"
 #include "process/run.h"
@@ -20,16 +21,14 @@ Rubric select(Rubric rubric, GradeOptions const& options)
     return options.for_tutor ? rubric : only_public(std::move(rubric));
 }
 
-Observations observe_if_built(Build const& build, Questions const& questions, Installation const& where)
+/// Starts no probe where there is nothing to run, or nothing to ask. `ms` adds up what observing takes.
+Observations observe_if_any(Build const& build, Request const& request, Installation const& where, double& ms)
 {
-    return build.library.empty() ? Observations{} : observe(build, questions.request, where);
-}
-
-void explain_pictures(CheckResults& results, Build const& build, Installation const& where)
-{
-    Request const request = repair_questions(results);
-    if (!request.groups.empty())
-        explain(results, observe(build, request, where), where);
+    if (build.library.empty() || request.groups.empty())
+        return {};
+    Observations observations = observe(build, request, where);
+    ms += observations.ms;
+    return observations;
 }
 
 /// The pipeline.
@@ -39,16 +38,20 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     auto const start = std::chrono::steady_clock::now();
     TemporaryDirectory const workplace;
     Build const build = compile(submission, {options.compiler, rubric.standard}, workplace.path(), where);
-    Questions const questions = make_questions(rubric, build.defined, build.ok, options.seed);
-    Observations const observations = observe_if_built(build, questions, where);
-    CheckResults results = check(observations, questions, rubric, where);
-    explain_pictures(results, build, where);
+    Questions const questions = make_questions(rubric, build.written(), options.seed);
+    double observe_ms = 0;
+    auto const answers = [&](Request const& request) { return observe_if_any(build, request, where, observe_ms); };
+
+    CheckResults results = check(answers(questions.request), questions, rubric);
+    judge_submitted(results, rubric, build, answers(ask_submitted(rubric, results, build)), where);
+    judge_isolated(results, answers(ask_isolated(rubric, results, build)), where);
+    explain(results, answers(ask_repaired(results)), where);
     Grade const grade = score(results, build, rubric, options.lenient);
     write_pictures(results, options.out, where.envelopes);
 
     double const total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return make_report(submission, build, results, grade, rubric, {rubric.version, questions.sha256, questions.seed},
-                       {build.ms, observations.ms, results.ms, total}, {options.for_tutor});
+                       {build.ms, observe_ms, results.ms, total}, {options.for_tutor});
 }
 
 void make_directory(std::filesystem::path const& directory)

@@ -12,7 +12,8 @@ struct Installation {
     std::filesystem::path references;  ///< reference libraries: all.so, without_<function>.so
     std::filesystem::path assets;
     std::filesystem::path envelopes;
-    std::filesystem::path rubric;  ///< rubric.json; its schema lies beside it
+    std::filesystem::path exercise_template;  ///< the exercise_03.cpp that students start from
+    std::filesystem::path rubric;             ///< rubric.json; its schema lies beside it
 };
 
 /// The one this executable was built for.

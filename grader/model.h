@@ -47,8 +47,12 @@ struct Build {
     std::vector<Diagnostic> diagnostics;
     std::filesystem::path library;  ///< empty if there is nothing to load
     FunctionSet defined;            ///< functions that the library defines
+    FunctionSet untouched;          ///< functions whose bodies are still the template's
     std::map<Function, SourceExcerpt> sources;
     double ms = 0;
+
+    /// What can be called and is worth asking.
+    FunctionSet written() const { return FunctionSet(defined.bits() & ~untouched.bits()); }
 };
 
 /// What the probe saw of one group. `words` are hostile until a check has looked at them.
@@ -88,25 +92,50 @@ struct Picture {
     std::vector<float> rgb;
 };
 
+/// How a rendering compares with what it should show.
+struct Comparison {
+    std::size_t outside = 0;  ///< pixels outside the envelope
+    std::size_t limit = 0;    ///< pixels that may lie outside
+    double score = 0;         ///< 1 while outside <= limit, then falling with the logarithm to 0 when all are outside
+    double rms = 0;           ///< over all channels, linear units; infinite if a value is not finite
+    double max_error = 0;
+};
+
+/// A picture as a group of the probe has made it.
+struct Rendering {
+    Ended ended = Ended::lost;
+    std::optional<Picture> picture;  ///< nothing unless `ended` is answered
+    Comparison comparison;
+};
+
+/// What a picture says of one function.
+struct IsolatedPicture {
+    Function function{};
+    /// The function from the upload, the others from the reference. Nothing where the picture need not be made: as
+    /// submitted it is right, and so are the function's unit checks.
+    std::optional<Rendering> rendering;
+    double score = 0;  ///< 0 to 1
+};
+
 struct PictureResult {
     std::string name;
-    std::vector<Function> functions;
-    std::size_t outside = 0;  ///< pixels outside the envelope, isolated
-    std::size_t limit = 0;    ///< pixels that may lie outside
-    double score = 0;         ///< 0 to 1
-    double rms = 0;           ///< of the isolated picture, linear units
-    double max_error = 0;
-    std::size_t submitted_outside = 0;
-    Ended isolated_ended = Ended::answered;
-    Ended submitted_ended = Ended::answered;
-    bool submitted_asked = false;  ///< not if the file does not link
-    std::optional<Picture> isolated;
-    std::optional<Picture> submitted;
+    std::vector<IsolatedPicture> isolated;  ///< one for each function whose points depend on the picture
+    std::optional<Rendering> submitted;     ///< nothing if the file does not link
     Picture expected;
     std::vector<std::string> explained_by;  ///< functions whose replacement by the reference repairs the picture
-    double ms = 0;
+    double ms = 0;                          ///< CPU time of the picture as submitted
     double reference_ms = 0;
 };
+
+/// The function for which the picture is worst; null if no points depend on it.
+inline IsolatedPicture const* worst(PictureResult const& picture)
+{
+    IsolatedPicture const* worst = nullptr;
+    for (auto const& isolated : picture.isolated)
+        if (worst == nullptr || isolated.score < worst->score)
+            worst = &isolated;
+    return worst;
+}
 
 struct CheckResults {
     std::vector<CheckResult> checks;

@@ -1,5 +1,5 @@
+#include "checks/picture_rounds.h"
 #include "checks/pictures.h"
-#include "checks/run_checks.h"
 #include "envelopes/pictures.h"
 
 #include <algorithm>
@@ -8,26 +8,34 @@ namespace testat {
 namespace {
 bool needs_explaining(PictureResult const& picture)
 {
-    bool const wrong = picture.submitted_ended != Ended::answered || picture.submitted_outside > picture.limit;
-    return picture.submitted_asked && wrong;
+    return picture.submitted && picture.submitted->comparison.score < 1;
 }
 
-/// Functions that are not entirely right, in the order of the sheet.
-std::vector<Function> suspects(CheckResults const& results)
+/// Functions that are not entirely right and may have a hand in the picture, in the order of the sheet.
+std::vector<Function> suspects(CheckResults const& results, std::string const& picture)
 {
-    std::vector<Function> found;
-    auto const add = [&](Function f) {
-        if (std::find(found.begin(), found.end(), f) == found.end())
-            found.push_back(f);
-    };
+    FunctionSet wrong;
     for (auto const& check : results.checks)
         if (!check.passed)
-            add(check.function);
-    for (auto const& picture : results.pictures)
-        if (picture.score < 1)
-            std::for_each(picture.functions.begin(), picture.functions.end(), add);
-    std::sort(found.begin(), found.end());
+            wrong = wrong.with(check.function);
+    for (auto const& other : results.pictures)
+        for (auto const& isolated : other.isolated)
+            if (isolated.score < 1)
+                wrong = wrong.with(isolated.function);
+    std::vector<Function> found;
+    for (Function f : every_function())
+        if (wrong.has(f) && functions_in(picture).has(f))
+            found.push_back(f);
     return found;
+}
+
+/// What the picture made with this function alone from the upload says, where it was made.
+std::optional<bool> known_alone(PictureResult const& result, Function function)
+{
+    for (auto const& isolated : result.isolated)
+        if (isolated.function == function && isolated.rendering)
+            return isolated.score == 1;
+    return std::nullopt;
 }
 
 constexpr char none[] = "none";
@@ -54,7 +62,7 @@ FunctionSet all_without(std::vector<Function> const& functions)
     return rest;
 }
 
-/// Whether a picture of repair_questions was made and is right.
+/// Whether a picture of ask_repaired was made and is right.
 bool is_right(PictureResult const& result, std::string const& from_upload, Observations const& observations,
               Envelope const& envelope)
 {
@@ -76,27 +84,26 @@ std::vector<std::string> find_culprits(PictureResult const& result, std::vector<
     std::vector<std::string> culprits;
     for (Function f : suspected) {
         all.emplace_back(info(f).name);
-        if (!is_right(result, all.back(), observations, envelope))
+        auto const alone = known_alone(result, f);
+        if (!(alone ? *alone : is_right(result, all.back(), observations, envelope)))
             culprits.push_back(all.back());
     }
     return culprits.empty() ? all : culprits;
 }
 }  // namespace
 
-Request repair_questions(CheckResults const& results)
+Request ask_repaired(CheckResults const& results)
 {
     // Only words depend on these pictures, so they get little time.
     Request request{{2, 1, 10}, {}, {}};
-    auto const functions = suspects(results);
-    if (functions.empty())
-        return request;
-    FunctionSet const unsuspected = all_without(functions);
     for (auto const& picture : results.pictures) {
-        if (!needs_explaining(picture))
+        auto const suspected = suspects(results, picture.name);
+        if (!needs_explaining(picture) || suspected.empty())
             continue;
+        FunctionSet const unsuspected = all_without(suspected);
         add_group(picture.name, none, unsuspected, request);
-        for (Function f : functions)
-            if (functions.size() > 1)
+        for (Function f : suspected)
+            if (suspected.size() > 1 && !known_alone(picture, f))
                 add_group(picture.name, std::string(info(f).name), unsuspected.with(f), request);
     }
     return request;
@@ -104,10 +111,9 @@ Request repair_questions(CheckResults const& results)
 
 void explain(CheckResults& results, Observations const& repaired, Installation const& where)
 {
-    auto const functions = suspects(results);
     for (auto& picture : results.pictures)
         if (needs_explaining(picture))
-            picture.explained_by = find_culprits(picture, functions, repaired,
+            picture.explained_by = find_culprits(picture, suspects(results, picture.name), repaired,
                                                  read_envelope(where.envelopes / (picture.name + ".envelope")));
 }
 }  // namespace testat

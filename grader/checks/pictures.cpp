@@ -45,24 +45,6 @@ void measure_error(Picture const& picture, Picture const& expected, Comparison& 
     }
     comparison.rms = std::sqrt(sum / double(expected.rgb.size()));
 }
-
-Ended end_of(Observations const& observations, std::string const& group)
-{
-    auto const found = observations.groups.find(group);
-    return found == observations.groups.end() ? Ended::lost : found->second.status.ended;
-}
-
-std::optional<Picture> picture_of(Observations const& observations, std::string const& group)
-{
-    auto const found = observations.groups.find(group);
-    return found == observations.groups.end() ? std::nullopt : read_picture(found->second);
-}
-
-double work_ms(Observations const& observations, std::string const& group)
-{
-    auto const found = observations.groups.find(group);
-    return found == observations.groups.end() ? 0 : 1e3 * found->second.status.work_s;
-}
 }  // namespace
 
 double picture_score(std::size_t outside, std::size_t limit, std::size_t all)
@@ -90,29 +72,16 @@ Comparison compare_picture(std::string const& name, Picture const& picture, Enve
     return comparison;
 }
 
-PictureResult judge_picture(std::string const& name, std::vector<Function> const& functions,
-                            Observations const& observations, std::filesystem::path const& envelopes)
+Rendering judge_rendering(std::string const& picture, std::string const& group, Observations const& observations,
+                          Envelope const& envelope)
 {
-    Envelope const envelope = read_envelope(envelopes / (name + ".envelope"));
-    PictureResult result;
-    result.name = name;
-    result.functions = functions;
-    result.expected = envelope.expected;
-    result.reference_ms = envelope.reference_ms;
-    result.isolated_ended = end_of(observations, "isolated/" + name);
-    result.submitted_ended = end_of(observations, "submitted/" + name);
-    result.submitted_asked = observations.groups.count("submitted/" + name) > 0;
-    result.isolated = picture_of(observations, "isolated/" + name);
-    result.submitted = picture_of(observations, "submitted/" + name);
-    result.ms = work_ms(observations, "submitted/" + name);
-
-    Comparison const comparison = compare_picture(name, result.isolated.value_or(Picture{}), envelope);
-    result.outside = comparison.outside;
-    result.limit = comparison.limit;
-    result.score = comparison.score;
-    result.rms = comparison.rms;
-    result.max_error = comparison.max_error;
-    result.submitted_outside = compare_picture(name, result.submitted.value_or(Picture{}), envelope).outside;
-    return result;
+    Rendering rendering;
+    auto const found = observations.groups.find(group);
+    if (found != observations.groups.end()) {
+        rendering.ended = found->second.status.ended;
+        rendering.picture = read_picture(found->second);
+    }
+    rendering.comparison = compare_picture(picture, rendering.picture.value_or(Picture{}), envelope);
+    return rendering;
 }
 }  // namespace testat

@@ -1,6 +1,6 @@
 #include "checks/check.h"
+#include "checks/picture_rounds.h"
 #include "checks/run_checks.h"
-#include "envelopes/pictures.h"
 #include "text.h"
 
 #include <algorithm>
@@ -27,21 +27,13 @@ Group unit_group(UnitCheck const& check, std::uint64_t seed, Textures const& tex
     return group;
 }
 
-void add_picture(std::string const& name, std::string const& picture, FunctionSet from_upload, Request& request)
-{
-    Group group = picture_group(picture);
-    group.name = name;
-    group.from_upload = from_upload;
-    request.groups.push_back(std::move(group));
-}
-
 std::string hash(Request const& request)
 {
     auto const bytes = serialize(request);
     return sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
-Request isolated_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
+Request unit_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
 {
     Request request{rubric.limits, make_test_textures(seed), {}};
     for (auto const& function : rubric.functions) {
@@ -49,21 +41,17 @@ Request isolated_questions(Rubric const& rubric, FunctionSet available, std::uin
             continue;
         for (auto const& check : function.checks)
             request.groups.push_back(unit_group(find_check(check.name), seed, request.textures));
-        for (auto const& picture : function.pictures)
-            add_picture("isolated/" + picture, picture, FunctionSet::only(function.function), request);
     }
     return request;
 }
 }  // namespace
 
-Questions make_questions(Rubric const& rubric, FunctionSet available, bool as_submitted, std::uint64_t seed)
+Questions make_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
 {
-    // The test set's name must not depend on what an upload lacks.
-    std::string const name = hash(isolated_questions(rubric, FunctionSet::all(), seed));
-    Questions questions{isolated_questions(rubric, available, seed), seed, name};
-    if (as_submitted)
-        for (auto const& [picture, functions] : pictures_of(rubric))
-            add_picture("submitted/" + picture, picture, FunctionSet::all(), questions.request);
-    return questions;
+    // The test set's name must not depend on what an upload lacks, and which pictures are made on what it does.
+    Request everything = unit_questions(rubric, FunctionSet::all(), seed);
+    for (auto const& [picture, functions] : pictures_of(rubric))
+        everything.groups.push_back(submitted_group(picture, true));
+    return {unit_questions(rubric, available, seed), seed, hash(everything)};
 }
 }  // namespace testat

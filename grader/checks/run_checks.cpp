@@ -1,7 +1,6 @@
 #include "checks/run_checks.h"
 
 #include "checks/check.h"
-#include "checks/pictures.h"
 #include "checks/trouble.h"
 
 #include <fmt/format.h>
@@ -134,8 +133,7 @@ std::size_t count_checks(Rubric const& rubric)
 
 }  // namespace
 
-CheckResults check(Observations const& observations, Questions const& questions, Rubric const& rubric,
-                   Installation const& where)
+CheckResults check(Observations const& observations, Questions const& questions, Rubric const& rubric)
 {
     auto const start = std::chrono::steady_clock::now();
     CheckResults results;
@@ -144,8 +142,6 @@ CheckResults check(Observations const& observations, Questions const& questions,
     [[maybe_unused]] int const failed = RUN_ALL_TESTS();  // what failed is in the results
     if (results.checks.size() != count_checks(rubric))
         throw std::runtime_error("not every check of the rubric was run");
-    for (auto const& [name, functions] : pictures_of(rubric))
-        results.pictures.push_back(judge_picture(name, functions, observations, where.envelopes));
     results.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return results;
 }

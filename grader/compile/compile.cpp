@@ -33,13 +33,19 @@ bool is_clang(CompileOptions const& options)
     return options.compiler.find("clang") != std::string::npos;
 }
 
+/// Empty if the file is not there.
+std::string text_of(std::filesystem::path const& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
 /// Whether the text includes whatever the precompiled header holds. Otherwise the header would make up for an #include
 /// that the text lacks, and a file would compile here that does not where it is handed in.
 bool may_be_precompiled(Submission const& submission, std::filesystem::path const& header, Installation const& where)
 {
-    std::ostringstream text;
-    text << std::ifstream(header).rdbuf();
-    auto const precompiled = included_headers(text.str(), where.include);
+    auto const precompiled = included_headers(text_of(header), where.include);
     auto const included = included_headers(submission.text, where.include);
     return std::includes(included.begin(), included.end(), precompiled.begin(), precompiled.end());
 }
@@ -161,6 +167,7 @@ Build compile(Submission const& submission, CompileOptions const& options, std::
         return build;
     }
     build.sources = excerpts(submission.text);
+    build.untouched = same_bodies(submission.text, text_of(where.exercise_template));
     write_source(submission, directory);
     run_compiler(submission, options, directory, where, build);
     build.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -49,6 +49,50 @@ LevelPlace place_of_level(int level)
     return {{checker_side, below}, glm::ivec2(side)};
 }
 
+namespace {
+bool has(std::string const& picture, char const* part)
+{
+    return picture.find(part) != std::string::npos;
+}
+
+FunctionSet set_of(std::initializer_list<Function> functions)
+{
+    FunctionSet set;
+    for (Function f : functions)
+        set = set.with(f);
+    return set;
+}
+
+FunctionSet together(FunctionSet a, FunctionSet b)
+{
+    return FunctionSet(a.bits() | b.bits());
+}
+}  // namespace
+
+bool is_transformed(std::string const& picture)
+{
+    return has(picture, "_after_e") || has(picture, "_after_f");
+}
+
+FunctionSet functions_in(std::string const& picture)
+{
+    FunctionSet const lookups =
+        set_of({Function::evaluate_nearest, Function::wrap_clamp, Function::wrap_repeat, Function::evaluate_bilinear});
+    if (picture == miplevels)
+        return lookups.with(Function::create_mipmap);
+    if (has(picture, "_dudv"))
+        return set_of({Function::compute_uv_aabb_size, Function::intersect});
+    FunctionSet functions = lookups.with(Function::intersect);
+    if (has(picture, "_after_d"))
+        functions = together(
+            functions, set_of({Function::create_mipmap, Function::compute_uv_aabb_size, Function::evaluate_trilinear}));
+    if (is_transformed(picture))
+        functions = together(functions, set_of({Function::transform_direction, Function::transform_position}));
+    if (has(picture, "_after_f"))
+        functions = functions.with(Function::transform_direction_to_object_space);
+    return functions;
+}
+
 Group picture_group(std::string const& picture)
 {
     PictureQuestion q{};

@@ -19,6 +19,12 @@ struct LevelPlace {
 LevelPlace place_of_level(int level);
 constexpr int checker_levels = 8;
 
+/// Whether objects stand where their matrices put them in this picture.
+bool is_transformed(std::string const& picture);
+
+/// The functions that may have a hand in a picture, whichever of their own a student calls from which.
+FunctionSet functions_in(std::string const& picture);
+
 /// The group that asks for a picture; functions and name of the group are for the caller to set.
 Group picture_group(std::string const& picture);
 

@@ -102,6 +102,7 @@ void write(Writer& out, Group const& group)
     out.value(group.kind);
     out.value(group.count);
     out.value(group.words_per_answer);
+    out.value(std::uint32_t(group.culling));
     out.list(group.questions);
 }
 
@@ -115,6 +116,7 @@ Group read_group(Reader& in)
     group.kind = in.value<Kind>();
     group.count = in.value<std::uint32_t>();
     group.words_per_answer = in.value<std::uint32_t>();
+    group.culling = in.value<std::uint32_t>() != 0;
     group.questions = in.list<std::byte>();
     if (group.kind >= Kind::count || group.questions.size() != std::size_t(group.count) * question_bytes(group.kind))
         throw std::runtime_error("request: group " + group.name + " is malformed");

@@ -30,6 +30,7 @@ struct Group {
     Kind kind = Kind::wrap;
     std::uint32_t count = 0;
     std::uint32_t words_per_answer = 0;
+    bool culling = true;               ///< of a picture: objects that a ray cannot meet may be left out
     std::vector<std::byte> questions;  ///< count * question_bytes(kind)
 
     std::size_t answer_size() const { return std::size_t(count) * words_per_answer; }  ///< in words

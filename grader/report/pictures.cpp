@@ -57,15 +57,19 @@ std::string file_name(PictureResult const& result, PictureKind kind)
     return result.name + "." + kinds[static_cast<int>(kind)] + ".png";
 }
 
-std::optional<Picture> const& rendering(PictureResult const& result, PictureKind kind)
+/// Null if there is none. The isolated one is that of the function for which the picture is worst.
+Picture const* rendering(PictureResult const& result, PictureKind kind)
 {
-    return kind == PictureKind::isolated ? result.isolated : result.submitted;
+    IsolatedPicture const* const isolated = worst(result);
+    bool const alone = kind == PictureKind::isolated && isolated != nullptr && isolated->rendering;
+    auto const& chosen = alone ? isolated->rendering : result.submitted;
+    return chosen && chosen->picture ? &*chosen->picture : nullptr;
 }
 
 bool has_own_file(PictureResult const& result, PictureKind kind)
 {
-    auto const& picture = rendering(result, kind);
-    return picture && !is_same(*picture, result.expected);
+    Picture const* const picture = rendering(result, kind);
+    return picture != nullptr && !is_same(*picture, result.expected);
 }
 
 /// The old directory is there until the new one takes its name.
@@ -92,7 +96,8 @@ void write_picture(PictureResult const& result, PictureKind kind, std::filesyste
 
 std::optional<std::string> picture_file(PictureResult const& result, PictureKind kind)
 {
-    bool const shared = kind != PictureKind::difference && rendering(result, kind) && !has_own_file(result, kind);
+    bool const made = rendering(result, kind) != nullptr;
+    bool const shared = kind != PictureKind::difference && made && !has_own_file(result, kind);
     if (kind == PictureKind::expected || shared)
         return "pictures/" + file_name(result, PictureKind::expected);
     return has_own_file(result, kind) ? std::optional("pictures/" + file_name(result, kind)) : std::nullopt;

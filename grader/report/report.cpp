@@ -146,19 +146,22 @@ Report tasks_part(Grade const& grade, Rubric const& rubric)
 Report picture_part(PictureResult const& picture)
 {
     Report functions = Report::array();
-    for (Function f : picture.functions)
-        functions.push_back(info(f).name);
+    for (auto const& isolated : picture.isolated)
+        functions.push_back(info(isolated.function).name);
     auto const file = [&](PictureKind kind) {
         auto const path = picture_file(picture, kind);
         return path ? Report(*path) : Report(nullptr);
     };
+    IsolatedPicture const* const isolated = worst(picture);
+    auto const& shown = isolated != nullptr && isolated->rendering ? isolated->rendering : picture.submitted;
+    Comparison const comparison = shown ? shown->comparison : Comparison{};
     Report part = {{"name", picture.name},
                    {"functions", functions},
-                   {"outside", picture.outside},
-                   {"limit", picture.limit},
-                   {"score", picture.score},
-                   {"rms", number(picture.rms)},
-                   {"max_error", number(picture.max_error)},
+                   {"outside", comparison.outside},
+                   {"limit", comparison.limit},
+                   {"score", isolated != nullptr ? isolated->score : comparison.score},
+                   {"rms", number(comparison.rms)},
+                   {"max_error", number(comparison.max_error)},
                    {"isolated_file", file(PictureKind::isolated)},
                    {"submitted_file", file(PictureKind::submitted)},
                    {"expected_file", file(PictureKind::expected)},
@@ -180,7 +183,7 @@ Report run_time_part(CheckResults const& results)
 {
     Report times = Report::array();
     for (auto const& picture : results.pictures)
-        if (picture.submitted)
+        if (picture.submitted && picture.submitted->picture)
             times.push_back({{"picture", picture.name}, {"ms", picture.ms}, {"reference_ms", picture.reference_ms}});
     return times;
 }

@@ -221,8 +221,17 @@ private:
             if (!any)
                 line("\n{}", say(pictures_term));
             any = true;
-            line("  {:<24}{}", text(picture.at("name")), wrap(finding(picture), 26));
+            line("  {:<26}{}", text(picture.at("name")), wrap(finding(picture), 28));
         }
+    }
+
+    /// Whether nobody has written a function yet whose points depend on the picture.
+    bool is_unwritten(Report const& picture) const
+    {
+        auto const& functions = picture.at("functions");
+        return std::all_of(functions.begin(), functions.end(), [&](Report const& name) {
+            return report_.at("functions").at(text(name)).at("verdict") == "missing";
+        });
     }
 
     std::string finding(Report const& picture) const
@@ -230,7 +239,7 @@ private:
         std::string result;
         if (picture.contains("explained_by"))
             result = fmt::format("{} {}", say(differs), join(picture.at("explained_by")));
-        if (picture.at("score") == 1)
+        if (picture.at("score") == 1 || is_unwritten(picture))
             return result;
         std::string const alone =
             picture.at("isolated_file").is_null()

@@ -36,8 +36,9 @@ double picture_share(CheckResults const& results, RubricFunction const& function
         return 1;
     double sum = 0;
     for (auto const& picture : results.pictures)
-        if (std::count(function.pictures.begin(), function.pictures.end(), picture.name) > 0)
-            sum += picture.score;
+        for (auto const& isolated : picture.isolated)
+            if (isolated.function == function.function)
+                sum += isolated.score;
     return sum / double(function.pictures.size());
 }
 
@@ -49,9 +50,9 @@ bool any_ended(CheckResults const& results, RubricFunction const& function, std:
         if (check.function == function.function && matches(check.ended))
             return true;
     for (auto const& picture : results.pictures)
-        if (std::count(function.pictures.begin(), function.pictures.end(), picture.name) > 0 &&
-            matches(picture.isolated_ended))
-            return true;
+        for (auto const& isolated : picture.isolated)
+            if (isolated.function == function.function && isolated.rendering && matches(isolated.rendering->ended))
+                return true;
     return false;
 }
 
@@ -60,7 +61,7 @@ FunctionVerdict verdict(CheckResults const& results, Build const& build, RubricF
 {
     if (build.library.empty() && build.sources.count(function.function) > 0)
         return FunctionVerdict::wrong;  // it is there, but nothing of the file could be run
-    if (!build.defined.has(function.function))
+    if (!build.written().has(function.function))
         return FunctionVerdict::missing;
     if (any_ended(results, function, {Ended::timed_out}))
         return FunctionVerdict::timed_out;
@@ -89,7 +90,7 @@ FunctionGrade grade_function(CheckResults const& results, Build const& build, Ru
 bool crashes(CheckResults const& results, Policy const& policy)
 {
     return std::any_of(results.pictures.begin(), results.pictures.end(), [&](auto const& picture) {
-        return picture.submitted_asked && policy.ends.count(name_of(picture.submitted_ended)) > 0;
+        return picture.submitted && policy.ends.count(name_of(picture.submitted->ended)) > 0;
     });
 }
 

@@ -3,6 +3,8 @@
 #include "source/lexer.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <optional>
 
 namespace testat {
@@ -131,6 +133,30 @@ std::string replace_body(std::string_view text, Function function, std::string_v
         if (d->function == function)
             result.replace(d->body, d->end - d->body, body);
     return result;
+}
+
+namespace {
+std::map<Function, std::string> bodies_without_space(std::string_view text)
+{
+    std::map<Function, std::string> bodies;
+    for (auto const& d : find_definitions(text))
+        for (char const c : between(text, d.body, d.end))
+            if (std::isspace(static_cast<unsigned char>(c)) == 0)
+                bodies[d.function] += c;
+    return bodies;
+}
+}  // namespace
+
+FunctionSet same_bodies(std::string_view text, std::string_view other)
+{
+    auto const bodies = bodies_without_space(text);
+    FunctionSet same;
+    for (auto const& [function, body] : bodies_without_space(other)) {
+        auto const found = bodies.find(function);
+        if (found != bodies.end() && found->second == body)
+            same = same.with(function);
+    }
+    return same;
 }
 
 std::string patch_definitions(std::string_view base, std::string_view patch)

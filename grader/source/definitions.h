@@ -23,6 +23,9 @@ std::vector<Definition> find_definitions(std::string_view text);
 /// The text with the body of `function` replaced; unchanged if it is not defined there.
 std::string replace_body(std::string_view text, Function function, std::string_view body);
 
+/// The functions whose bodies are the same in both texts, white space aside.
+FunctionSet same_bodies(std::string_view text, std::string_view other);
+
 /// `base` with the functions that `patch` defines in place of its own; whatever else `patch` holds (includes, helper
 /// functions) is put before the first function.
 std::string patch_definitions(std::string_view base, std::string_view patch);

@@ -11,6 +11,15 @@ RubricCheck check(std::string const& name, double weight, bool essential)
     return {name, weight, essential, true, {"Titel", "title"}, {"Hinweis zu " + name, "hint for " + name}};
 }
 
+Rendering right_rendering(Picture const& picture)
+{
+    Rendering rendering;
+    rendering.ended = Ended::answered;
+    rendering.picture = picture;
+    rendering.comparison.score = 1;
+    return rendering;
+}
+
 RubricFunction function(Function f, std::vector<std::string> const& pictures, std::vector<RubricCheck> const& checks)
 {
     RubricFunction result;
@@ -45,16 +54,15 @@ CheckResults passed_results(Rubric const& rubric)
             result.passed = true;
             results.checks.push_back(result);
         }
-        for (auto const& name : f.pictures) {
-            PictureResult picture;
-            picture.name = name;
-            picture.functions = {f.function};
-            picture.score = 1;
-            picture.submitted_asked = true;
-            picture.expected = grey_picture(2, 2, 0.5f);
-            picture.isolated = picture.submitted = picture.expected;
-            results.pictures.push_back(picture);
-        }
+    }
+    for (auto const& [name, functions] : pictures_of(rubric)) {
+        PictureResult picture;
+        picture.name = name;
+        picture.expected = grey_picture(2, 2, 0.5f);
+        picture.submitted = right_rendering(picture.expected);
+        for (Function f : functions)
+            picture.isolated.push_back({f, picture.submitted, 1});
+        results.pictures.push_back(picture);
     }
     return results;
 }

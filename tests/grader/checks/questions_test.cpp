@@ -20,16 +20,11 @@ Group const* find_group(Questions const& questions, std::string const& name)
             return &group;
     return nullptr;
 }
-
-bool is_submitted(Group const& group)
-{
-    return group.name.rfind("submitted/", 0) == 0;
-}
 }  // namespace
 
 TEST(MakeQuestions, AsksEveryCheckIsolated)
 {
-    Questions const questions = make_questions(rubric(), FunctionSet::all(), true, 1);
+    Questions const questions = make_questions(rubric(), FunctionSet::all(), 1);
     for (auto const& function : rubric().functions)
         for (auto const& check : function.checks) {
             Group const* group = find_group(questions, check.name);
@@ -39,74 +34,54 @@ TEST(MakeQuestions, AsksEveryCheckIsolated)
         }
 }
 
-TEST(MakeQuestions, AsksEveryPictureIsolatedAndAsSubmitted)
-{
-    Questions const questions = make_questions(rubric(), FunctionSet::all(), true, 1);
-    for (auto const& function : rubric().functions)
-        for (auto const& picture : function.pictures) {
-            ASSERT_NE(find_group(questions, "isolated/" + picture), nullptr) << picture;
-            ASSERT_NE(find_group(questions, "submitted/" + picture), nullptr) << picture;
-            EXPECT_EQ(find_group(questions, "submitted/" + picture)->from_upload, FunctionSet::all()) << picture;
-        }
-}
-
 TEST(MakeQuestions, HaveNamesOfTheirOwn)
 {
     std::set<std::string> names;
-    for (auto const& group : make_questions(rubric(), FunctionSet::all(), true, 1).request.groups)
+    for (auto const& group : make_questions(rubric(), FunctionSet::all(), 1).request.groups)
         EXPECT_TRUE(names.insert(group.name).second) << group.name;
 }
 
 TEST(MakeQuestions, AsksNothingOfWhatIsMissing)
 {
     auto const available = FunctionSet::all().without(Function::wrap_repeat);
-    Questions const questions = make_questions(rubric(), available, true, 1);
+    Questions const questions = make_questions(rubric(), available, 1);
     EXPECT_EQ(find_group(questions, "WrapRepeat.InsideTheRange"), nullptr);
-    EXPECT_EQ(find_group(questions, "isolated/plane_after_b_repeat"), nullptr);
     EXPECT_NE(find_group(questions, "WrapClamp.InsideTheRange"), nullptr);
-}
-
-TEST(MakeQuestions, MakesNoPicturesOfAFileThatDoesNotLink)
-{
-    auto const groups = make_questions(rubric(), FunctionSet::all(), false, 1).request.groups;
-    EXPECT_TRUE(std::none_of(groups.begin(), groups.end(), is_submitted));
 }
 
 TEST(MakeQuestions, AsksACheckTheSameWhateverElseIsAsked)
 {
-    Questions const all = make_questions(rubric(), FunctionSet::all(), true, 5);
+    Questions const all = make_questions(rubric(), FunctionSet::all(), 5);
     for (char task : {'a', 'b', 'c', 'd', 'e', 'f'})
-        for (auto const& group :
-             make_questions(only_tasks(rubric(), {task}), FunctionSet::all(), true, 5).request.groups)
+        for (auto const& group : make_questions(only_tasks(rubric(), {task}), FunctionSet::all(), 5).request.groups)
             EXPECT_EQ(group.questions, find_group(all, group.name)->questions) << group.name;
 }
 
 TEST(MakeQuestions, NamesTheTestSetByItsContent)
 {
-    auto const name = [](FunctionSet available, bool as_submitted, std::uint64_t seed) {
-        return make_questions(rubric(), available, as_submitted, seed).sha256;
+    auto const name = [](FunctionSet available, std::uint64_t seed) {
+        return make_questions(rubric(), available, seed).sha256;
     };
-    std::string const one = name(FunctionSet::all(), true, 1);
+    std::string const one = name(FunctionSet::all(), 1);
     EXPECT_EQ(one.size(), 64u);
-    EXPECT_EQ(name(FunctionSet(), false, 1), one) << "whatever an upload lacks";
-    EXPECT_NE(name(FunctionSet::all(), true, 2), one);
+    EXPECT_EQ(name(FunctionSet(), 1), one) << "whatever an upload lacks";
+    EXPECT_NE(name(FunctionSet::all(), 2), one);
+    Rubric fewer_pictures = rubric();
+    fewer_pictures.functions[0].pictures.pop_back();
+    EXPECT_NE(make_questions(fewer_pictures, FunctionSet::all(), 1).sha256, one);
 }
 
 TEST(MakeQuestions, RefusesChecksThatAreNotThere)
 {
     Rubric wrong = rubric();
     wrong.functions[0].checks[0].name = "EvaluateNearest.NoSuchCheck";
-    EXPECT_THROW(make_questions(wrong, FunctionSet::all(), true, 1), BadRubric);
+    EXPECT_THROW(make_questions(wrong, FunctionSet::all(), 1), BadRubric);
 }
 
 TEST(MakeQuestions, CanBeSent)
 {
-    Questions const questions = make_questions(rubric(), FunctionSet::all(), true, 1);
+    Questions const questions = make_questions(rubric(), FunctionSet::all(), 1);
     EXPECT_EQ(parse_request(serialize(questions.request)).groups.size(), questions.request.groups.size());
 }
 
-TEST(RepairQuestions, AreNoneIfNothingIsWrong)
-{
-    EXPECT_TRUE(repair_questions(CheckResults{}).groups.empty());
-}
 }  // namespace testat

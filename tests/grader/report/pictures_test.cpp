@@ -20,7 +20,7 @@ PictureResult right_picture()
 PictureResult wrong_picture()
 {
     PictureResult picture = right_picture();
-    picture.submitted.value().rgb[0] = 0.9f;
+    picture.submitted.value().picture.value().rgb[0] = 0.9f;
     return picture;
 }
 
@@ -49,7 +49,7 @@ TEST(PictureFile, IsSharedIfItIsRight)
 TEST(PictureFile, IsItsOwnIfItDiffersByABit)
 {
     PictureResult picture = right_picture();
-    picture.submitted.value().rgb[0] = std::nextafter(0.5f, 1.f);
+    picture.submitted.value().picture.value().rgb[0] = std::nextafter(0.5f, 1.f);
     EXPECT_EQ(picture_file(picture, PictureKind::submitted), "pictures/clamped.submitted.png");
     EXPECT_EQ(picture_file(picture, PictureKind::difference), "pictures/clamped.difference.png");
     EXPECT_EQ(picture_file(picture, PictureKind::isolated), "pictures/clamped.expected.png");
@@ -58,11 +58,27 @@ TEST(PictureFile, IsItsOwnIfItDiffersByABit)
 TEST(PictureFile, IsNoneIfItWasNotMade)
 {
     PictureResult picture = right_picture();
-    picture.isolated.reset();
+    picture.isolated[0].rendering = Rendering{};
     picture.submitted.reset();
     EXPECT_EQ(picture_file(picture, PictureKind::isolated), std::nullopt);
     EXPECT_EQ(picture_file(picture, PictureKind::difference), std::nullopt);
     EXPECT_TRUE(picture_file(picture, PictureKind::expected));
+}
+
+TEST(PictureFile, IsThatOfTheSubmittedOneWhereNothingHadToBeIsolated)
+{
+    PictureResult picture = wrong_picture();
+    picture.isolated[0].rendering.reset();
+    EXPECT_EQ(picture_file(picture, PictureKind::isolated), "pictures/clamped.isolated.png");
+}
+
+TEST(PictureFile, IsThatOfTheFunctionForWhichItIsWorst)
+{
+    PictureResult picture = right_picture();
+    picture.isolated.push_back(picture.isolated[0]);
+    picture.isolated[1].rendering->picture->rgb[0] = 0.9f;
+    picture.isolated[1].score = 0.5;
+    EXPECT_EQ(picture_file(picture, PictureKind::isolated), "pictures/clamped.isolated.png");
 }
 
 TEST(DrawDifference, IsBlackWhereEqualAndWhiteWhereNotFinite)

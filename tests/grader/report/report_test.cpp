@@ -42,10 +42,10 @@ CheckResults results_with_nan()
 {
     CheckResults results = passed_results(example_rubric());
     PictureResult& picture = results.pictures[0];
-    picture.isolated->rgb[0] = NAN;
-    picture.rms = picture.max_error = HUGE_VAL;
-    picture.score = 0.5;
-    picture.outside = 1;
+    IsolatedPicture& isolated = picture.isolated[0];
+    isolated.rendering->picture->rgb[0] = NAN;
+    isolated.rendering->comparison = {1, 0, 0.5, HUGE_VAL, HUGE_VAL};
+    isolated.score = 0.5;
     return results;
 }
 

@@ -111,8 +111,8 @@ TEST(ReportToText, SaysWhichPolicyApplies)
 TEST(ReportToText, ShowsPicturesThatDiffer)
 {
     CheckResults results = passed_results(example_rubric());
-    results.pictures[0].score = 0.5;
-    results.pictures[0].outside = 1234;
+    results.pictures[0].isolated[0].score = 0.5;
+    results.pictures[0].isolated[0].rendering->comparison.outside = 1234;
     results.pictures[0].explained_by = {"wrap_clamp"};
     Report const report = report_of(example_rubric(), results, whole_build());
     EXPECT_TRUE(holds(report_to_text(report, Language::en), {"clamped", "1234", "because of wrap_clamp"}));

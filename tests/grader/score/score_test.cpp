@@ -25,7 +25,7 @@ Grade without_check(std::string const& name)
 
 Grade with_picture_score(double picture)
 {
-    return grade_after([=](CheckResults& r, Build&) { r.pictures[0].score = picture; });
+    return grade_after([=](CheckResults& r, Build&) { r.pictures[0].isolated[0].score = picture; });
 }
 
 FunctionVerdict verdict_with_end(Ended ended)
@@ -96,9 +96,17 @@ TEST(Score, TakesPointsForOneMistakeOnce)
 {
     Grade const grade = grade_after([](CheckResults& r, Build&) {
         find_result(r, "WrapClamp.Negative").passed = false;
-        r.pictures[0].score = 0;
+        r.pictures[0].isolated[0].score = 0;
     });
     EXPECT_EQ(grade.functions[0].earned, 0.25) << "min(0.25, 0.5)";
+}
+
+TEST(Score, CountsAPictureForEachFunctionByItself)
+{
+    Grade const grade = grade_after([](CheckResults& r, Build&) {
+        r.pictures[0].isolated.push_back({Function::wrap_repeat, std::nullopt, 0});
+    });
+    EXPECT_EQ(grade.functions[0].picture, 1);
 }
 
 TEST(Score, CountsAMissingPictureAsWrong)
@@ -149,7 +157,8 @@ TEST(Verdict, NamesHowACheckEnded)
 
 TEST(Verdict, NamesHowAPictureEnded)
 {
-    Grade const grade = grade_after([](CheckResults& r, Build&) { r.pictures[0].isolated_ended = Ended::signal; });
+    Grade const grade =
+        grade_after([](CheckResults& r, Build&) { r.pictures[0].isolated[0].rendering->ended = Ended::signal; });
     EXPECT_EQ(grade.functions[0].verdict, FunctionVerdict::crashed);
     EXPECT_EQ(grade.functions[1].verdict, FunctionVerdict::correct);
 }
@@ -166,28 +175,25 @@ TEST(Policy, GivesNothingForAFileThatDoesNotCompile)
 
 TEST(Policy, LooksAtPicturesAsSubmitted)
 {
-    auto const crashes = [](CheckResults& r, Build&) { r.pictures[0].submitted_ended = Ended::signal; };
+    auto const crashes = [](CheckResults& r, Build&) { r.pictures[0].submitted->ended = Ended::signal; };
     EXPECT_EQ(grade_after(crashes).earned, 0.5);
     EXPECT_EQ(grade_after(crashes).policies, std::vector<std::string>{"crashes"});
-    auto const alone = [](CheckResults& r, Build&) { r.pictures[0].isolated_ended = Ended::signal; };
+    auto const alone = [](CheckResults& r, Build&) { r.pictures[0].isolated[0].rendering->ended = Ended::signal; };
     EXPECT_TRUE(grade_after(alone).policies.empty());
 }
 
 TEST(Policy, AppliesToTheEndsItNames)
 {
-    auto const late = [](CheckResults& r, Build&) { r.pictures[0].submitted_ended = Ended::timed_out; };
+    auto const late = [](CheckResults& r, Build&) { r.pictures[0].submitted->ended = Ended::timed_out; };
     EXPECT_TRUE(grade_after(late).policies.empty());
-    auto const not_asked = [](CheckResults& r, Build&) {
-        r.pictures[0].submitted_ended = Ended::signal;
-        r.pictures[0].submitted_asked = false;
-    };
+    auto const not_asked = [](CheckResults& r, Build&) { r.pictures[0].submitted.reset(); };
     EXPECT_TRUE(grade_after(not_asked).policies.empty());
 }
 
 TEST(Policy, NeverGivesMoreThanWasEarned)
 {
     Grade const grade = grade_after([](CheckResults& r, Build&) {
-        r.pictures[0].submitted_ended = Ended::exit;
+        r.pictures[0].submitted->ended = Ended::exit;
         for (auto& check : r.checks)
             check.passed = false;
     });

@@ -1,0 +1,32 @@
+#pragma once
+#include "installation.h"
+#include "model.h"
+#include "rubric/rubric.h"
+
+/// Pictures are asked for in three rounds, each only as far as the one before leaves something open: as submitted, then
+/// isolated, then repaired. Without functions to run, or nothing to ask, a request has no groups.
+namespace testat {
+/// Every picture of the rubric as submitted; none if the file does not link.
+Request ask_submitted(Rubric const& rubric, CheckResults const& results, Build const& build);
+
+/// Fills `pictures` with what is expected and what was submitted.
+void judge_submitted(CheckResults& results, Rubric const& rubric, Build const& build, Observations const& observations,
+                     Installation const& where);
+
+/// Each picture for each of its functions, the others from the reference; but not where the picture is right as
+/// submitted and all unit checks of the function pass, because then it is right in isolation, too.
+Request ask_isolated(Rubric const& rubric, CheckResults const& results, Build const& build);
+
+/// Fills in what the pictures say of each function.
+void judge_isolated(CheckResults& results, Observations const& observations, Installation const& where);
+
+/// Which further pictures would tell why those as submitted are wrong: each rendered with the functions that are not
+/// entirely right (the suspects) replaced by the reference, and with one suspect at a time left in.
+Request ask_repaired(CheckResults const& results);
+
+/// Fills explained_by from the answers to ask_repaired.
+void explain(CheckResults& results, Observations const& repaired, Installation const& where);
+
+/// The group that asks for a picture as submitted. `culling`: objects that a ray cannot meet may be left out.
+Group submitted_group(std::string const& picture, bool culling);
+}  // namespace testat

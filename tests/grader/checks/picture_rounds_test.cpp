@@ -1,0 +1,121 @@
+#include "checks/picture_rounds.h"
+
+#include "example_grading.h"
+#include "installation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+/// What the real rubric asks of a file whose unit checks all pass.
+class PictureRounds : public testing::Test {
+protected:
+    PictureRounds() : rubric_(read_rubric(installation().rubric)), results_(passed_results(rubric_))
+    {
+        for (auto& picture : results_.pictures)
+            for (auto& isolated : picture.isolated)
+                isolated.rendering.reset();
+    }
+
+    void fail(std::string const& check) { find_result(results_, check).passed = false; }
+
+    PictureResult& picture(std::string const& name)
+    {
+        return *std::find_if(results_.pictures.begin(), results_.pictures.end(),
+                             [&](auto const& p) { return p.name == name; });
+    }
+
+    static std::set<std::string> names(Request const& request)
+    {
+        std::set<std::string> found;
+        for (auto const& group : request.groups)
+            found.insert(group.name);
+        return found;
+    }
+
+    static bool culling(Request const& request, std::string const& name)
+    {
+        return std::any_of(request.groups.begin(), request.groups.end(),
+                           [&](auto const& group) { return group.name == name && group.culling; });
+    }
+
+    Rubric rubric_;
+    CheckResults results_;
+    Build build_ = whole_build();
+};
+}  // namespace
+
+TEST_F(PictureRounds, AskForEveryPictureAsSubmitted)
+{
+    Request const request = ask_submitted(rubric_, results_, build_);
+    EXPECT_EQ(request.groups.size(), pictures_of(rubric_).size());
+    for (auto const& group : request.groups) {
+        EXPECT_EQ(group.from_upload, FunctionSet::all());
+        EXPECT_TRUE(group.culling) << group.name;
+    }
+}
+
+TEST_F(PictureRounds, MakeNothingOfAFileThatDoesNotLink)
+{
+    build_.ok = false;
+    EXPECT_TRUE(ask_submitted(rubric_, results_, build_).groups.empty());
+}
+
+TEST_F(PictureRounds, IsolateNothingWhereAllIsRight)
+{
+    EXPECT_TRUE(ask_isolated(rubric_, results_, build_).groups.empty());
+    EXPECT_TRUE(ask_repaired(results_).groups.empty());
+}
+
+TEST_F(PictureRounds, IsolateWhatFailsAUnitCheck)
+{
+    fail("TransformPosition.RigidMotions");
+    EXPECT_EQ(names(ask_isolated(rubric_, results_, build_)),
+              (std::set<std::string>{"isolated/goboard_after_e/transform_position",
+                                     "isolated/pooltable_after_e/transform_position"}));
+}
+
+TEST_F(PictureRounds, IsolateEachFunctionOfAPictureThatIsWrongAsSubmitted)
+{
+    picture("goboard_after_e").submitted->comparison.score = 0.5;
+    EXPECT_EQ(
+        names(ask_isolated(rubric_, results_, build_)),
+        (std::set<std::string>{"isolated/goboard_after_e/transform_direction",
+                               "isolated/goboard_after_e/transform_position", "isolated/goboard_after_e/intersect"}));
+}
+
+TEST_F(PictureRounds, IsolateOnlyWhatIsDefined)
+{
+    fail("TransformPosition.RigidMotions");
+    build_.defined = build_.defined.without(Function::transform_position);
+    EXPECT_TRUE(ask_isolated(rubric_, results_, build_).groups.empty());
+}
+
+TEST_F(PictureRounds, CullOnlyWhatFindsHitsRightly)
+{
+    fail("TransformPosition.RigidMotions");
+    Request const submitted = ask_submitted(rubric_, results_, build_);
+    EXPECT_FALSE(culling(submitted, "submitted/goboard_after_e"));
+    EXPECT_FALSE(culling(submitted, "submitted/sphere_after_f"));
+    EXPECT_TRUE(culling(submitted, "submitted/goboard_after_c")) << "nothing is transformed there";
+    EXPECT_FALSE(culling(ask_isolated(rubric_, results_, build_), "isolated/goboard_after_e/transform_position"));
+}
+
+TEST_F(PictureRounds, CullOnlyWhereIntersectIsRightWithoutTransforms)
+{
+    fail("Intersect.TransformsOff");
+    EXPECT_FALSE(culling(ask_submitted(rubric_, results_, build_), "submitted/plane_after_c"));
+}
+
+TEST_F(PictureRounds, RepairWhatIsWrongAsSubmitted)
+{
+    fail("WrapRepeat.NegativeIndices");
+    fail("EvaluateNearest.UpperFractions");
+    picture("plane_after_c").submitted->comparison.score = 0;
+    EXPECT_EQ(names(ask_repaired(results_)),
+              (std::set<std::string>{"repaired/plane_after_c/none", "repaired/plane_after_c/wrap_repeat",
+                                     "repaired/plane_after_c/evaluate_nearest"}));
+}
+}  // namespace testat
