@@ -124,7 +124,7 @@ void show_panel(Session& session)
     ImGui::SetNextWindowPos(ImVec2(0.f, 0.f));
     ImGui::SetNextWindowSize(ImVec2(panel_width, ImGui::GetIO().DisplaySize.y));
     ImGui::Begin("Panel", nullptr, ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar);
-    ImGui::PushItemWidth(0.65f * panel_width);
+    ImGui::PushItemWidth(0.62f * panel_width);
     show_choices(session.state);
     ImGui::Separator();
     show_switches(session.state.params);

@@ -5,7 +5,7 @@
 namespace viewer {
 
 /// In ImGui's units.
-constexpr float panel_width = 310.f;
+constexpr float panel_width = 330.f;
 
 /// The panel at the left: what one can change, and how far the picture is.
 void show_panel(Session& session);

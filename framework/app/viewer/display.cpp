@@ -1,6 +1,7 @@
 #include "display.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 
@@ -52,7 +53,7 @@ DisplayCurve::DisplayCurve(Exposure const& exposure)
 
 std::uint8_t DisplayCurve::operator()(float linear) const
 {
-    return linear > 0.f ? table_[to_bits(linear) >> dropped_bits] : 0;
+    return linear > 0.f ? table_[to_bits(std::min(linear, FLT_MAX)) >> dropped_bits] : 0;
 }
 
 void DisplayPicture::convert(Image const& image, Tile const& tile)

@@ -151,14 +151,17 @@ void ProgressiveRender::render_tile(Job const& job, PreparedRender const& prepar
 /// Calls task(0) ... task(count - 1) in this order on all threads, until stop() or an exception. Whether it called all.
 bool ProgressiveRender::share(int count, std::function<bool()> const& stop, std::function<void(int)> const& task)
 {
+    // Relaxed: tasks have nothing to tell each other, and a race among them shall not be hidden from a sanitizer.
+    auto const relaxed = std::memory_order_relaxed;
     std::atomic<int> next{0};
     std::atomic<bool> stopped{false};
     pool_.run(threads_, [&](int) {
         try {
-            for (int i = next++; i < count && !stopped; i = next++)
-                stop() ? void(stopped = true) : task(i);
+            for (int i = next.fetch_add(1, relaxed); i < count && !stopped.load(relaxed);
+                 i = next.fetch_add(1, relaxed))
+                stop() ? stopped.store(true, relaxed) : task(i);
         } catch (...) {
-            stopped = true;
+            stopped.store(true, relaxed);
             throw;
         }
     });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cinttypes>
-#include <cstdio>
 
 namespace viewer {
 namespace {
@@ -15,14 +14,15 @@ std::uint64_t num_rays(RenderStats const& stats)
 
 void show_progress(PictureProgress const& progress)
 {
-    char text[96];
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+    ImGui::ProgressBar(progress.fraction, ImVec2(-FLT_MIN, 6.f), "");
+    ImGui::PopStyleColor();
     double const rays = double(num_rays(progress.stats));
     if (!progress.error.empty())
-        std::snprintf(text, sizeof text, "failed");
+        ImGui::TextUnformatted("There is no picture.");
     else
-        std::snprintf(text, sizeof text, "%.2f s, %.2f million rays/s", progress.seconds,
-                      1e-6 * rays / std::max(progress.seconds, 1e-6));
-    ImGui::ProgressBar(progress.fraction, ImVec2(-FLT_MIN, 0.f), text);
+        ImGui::Text("%3.0f %%, %.2f s, %.2f million rays/s", 100. * double(progress.fraction), progress.seconds,
+                    1e-6 * rays / std::max(progress.seconds, 1e-6));
 }
 
 void show_stats(PictureProgress const& progress)

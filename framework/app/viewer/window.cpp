@@ -34,6 +34,21 @@ GLFWwindow* open(char const* title, int width, int height)
     return window;
 }
 
+void set_style()
+{
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowPadding = ImVec2(10.f, 10.f);
+    style.ItemSpacing = ImVec2(8.f, 5.f);
+    style.FrameRounding = 3.f;
+    style.GrabRounding = 3.f;
+    style.WindowBorderSize = 0.f;
+    // What a slider's grab covers can be read through it.
+    style.Colors[ImGuiCol_SliderGrab].w = 0.45f;
+    style.Colors[ImGuiCol_SliderGrabActive].w = 0.6f;
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.11f, 0.12f, 1.f);
+}
+
 void start_imgui(GLFWwindow* window)
 {
     ImGui::CreateContext();
@@ -41,10 +56,7 @@ void start_imgui(GLFWwindow* window)
     // Positions of widgets are ours: nothing is to be remembered.
     io.IniFilename = nullptr;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::StyleColorsDark();
-    ImGui::GetStyle().FrameRounding = 3.f;
-    ImGui::GetStyle().GrabRounding = 3.f;
-    ImGui::GetStyle().WindowBorderSize = 0.f;
+    set_style();
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     // It makes do with OpenGL 1.1, as on remote displays and in virtual machines.
     ImGui_ImplOpenGL2_Init();
