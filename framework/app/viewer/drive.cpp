@@ -15,12 +15,21 @@ int const frames_until_settled = 3;
 using Command = std::function<void(std::istream&, Session&)>;
 using Commands = std::map<std::string, Command>;
 
+template <class Value>
+Value const& find(std::string const& name, std::map<std::string, Value> const& choices)
+{
+    auto const found = choices.find(name);
+    if (found == choices.end())
+        throw std::invalid_argument("there is no '" + name + "' here");
+    return found->second;
+}
+
 template <class Enum>
 Enum read_choice(std::istream& arguments, std::map<std::string, Enum> const& choices)
 {
     std::string name;
     arguments >> name;
-    return choices.at(name);
+    return find(name, choices);
 }
 
 bool read_choice_of_two(std::istream& arguments, char const* no, char const* yes)
@@ -81,7 +90,7 @@ Commands make_commands()
 void obey(std::string const& name, std::istream& arguments, Session& session)
 {
     static Commands const commands = make_commands();
-    commands.at(name)(arguments, session);
+    find(name, commands)(arguments, session);
     if (arguments.fail())
         throw std::invalid_argument("arguments are missing");
 }
@@ -120,7 +129,7 @@ Drive::Wishes Drive::step(Session& session)
         wishes.quit = true;
     else if (word == "screenshot")
         line >> wishes.screenshot;
-    else if (word != "wait")
+    else if (!word.empty() && word != "wait")
         try {
             obey(word, line, session);
         } catch (std::exception const& error) {

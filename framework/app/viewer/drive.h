@@ -38,6 +38,9 @@ public:
     /// std::runtime_error naming a line that it does not understand.
     Wishes step(Session& session);
 
+    /// Whether all lines have been obeyed.
+    bool is_done() const { return next_ >= lines_.size(); }
+
 private:
     bool must_wait(Session const& session);
 

@@ -18,6 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double const seconds_of_a_frame = 1. / 60.;
+/// Nobody looks.
+double const seconds_of_a_driven_frame = 1e-3;
 double const seconds_between_tiles = 1. / 25.;
 double const for_long = 3600.;
 /// ImGui needs some to come to rest after an event.
@@ -34,43 +36,41 @@ public:
 
     void run()
     {
-        while (!window_.is_closed() && !quits_) {
-            if (frame())
-                busy_frames_ = frames_after_an_event;
+        while (show_frame())
             if (window_.wait(patience()))
                 busy_frames_ = frames_after_an_event;
             else if (busy_frames_ > 0)
                 --busy_frames_;
-        }
     }
 
 private:
     double patience() const
     {
-        if (busy_frames_ > 0 || drive_)
+        if (drive_ && !drive_->is_done())
+            return seconds_of_a_driven_frame;
+        if (busy_frames_ > 0)
             return seconds_of_a_frame;
         return session_.progress().finished ? for_long : seconds_between_tiles;
     }
 
-    /// Whether the camera moved, which asks for another frame.
-    bool frame()
+    /// Whether another one is wanted.
+    bool show_frame()
     {
         window_.begin_frame();
         handle_keys();
         Drive::Wishes const wishes = drive_ ? drive_->step(session_) : Drive::Wishes();
         if (session_.state.shows_panel)
             show_panel(session_);
-        bool const moved = show_and_move();
+        show_and_move();
         window_.end_frame();
         if (!wishes.screenshot.empty())
             window_.save_screenshot(wishes.screenshot);
-        quits_ = quits_ || wishes.quit;
         window_.present();
         print_first_picture();
-        return moved;
+        return !wishes.quit && !quits_ && !window_.is_closed();
     }
 
-    bool show_and_move()
+    void show_and_move()
     {
         State& state = session_.state;
         Area const area = picture_area(state);
@@ -82,7 +82,9 @@ private:
             input.walked = ImGui::GetIO().DeltaTime * held_directions();
         glm::vec3 const before = state.view.camera.position();
         state.view = state.flies ? fly(state.view, input) : orbit(state.view, input);
-        return state.view.camera.position() != before;
+        // While keys are held there are no events.
+        if (state.view.camera.position() != before)
+            busy_frames_ = frames_after_an_event;
     }
 
     glm::vec3 held_directions() const
