@@ -84,6 +84,10 @@ bool Session::update(int width, int height)
 
 void Session::save()
 {
+    if (picture_.getWidth() == 0 || !progress_.error.empty()) {
+        message_ = "There is no picture to save.";
+        return;
+    }
     try {
         RaytracingParameters const& p = state.params;
         std::string const file = free_picture_name(state.scene + '_' + name_of(p.tex_filter_mode, filter_choices()) +

@@ -56,8 +56,8 @@ private:
     /// Whether another one is wanted.
     bool show_frame()
     {
-        window_.begin_frame();
         handle_keys();
+        window_.begin_frame();
         Drive::Wishes const wishes = drive_ ? drive_->step(session_) : Drive::Wishes();
         if (session_.state.shows_panel)
             show_panel(session_);
@@ -95,6 +95,7 @@ private:
         return glm::vec3(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
     }
 
+    /// Before ImGui's frame begins: there Escape closes what it is meant for.
     void handle_keys()
     {
         bool const taken = ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

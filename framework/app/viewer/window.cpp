@@ -46,6 +46,7 @@ void set_style()
     // What a slider's grab covers can be read through it.
     style.Colors[ImGuiCol_SliderGrab].w = 0.45f;
     style.Colors[ImGuiCol_SliderGrabActive].w = 0.6f;
+    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.14f, 0.14f, 0.16f, 1.f);
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.11f, 0.12f, 1.f);
 }
 

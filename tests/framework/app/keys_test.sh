@@ -37,5 +37,11 @@ press r
 sleep 1
 press F4
 wait_for plane_trilinear_recursive-4.png
+# An open combo keeps Escape for itself.
+xdotool mousemove 100 20 click 1
+sleep 0.5
+press Escape
+press F4
+wait_for plane_trilinear_recursive-5.png
 press Escape
 wait "$program"

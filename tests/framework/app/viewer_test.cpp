@@ -190,6 +190,7 @@ TEST(Viewer, ObeysKeysAndMouse)
     EXPECT_TRUE(load(run, "plane_trilinear_recursive-2.png").getPixels() == home.getPixels());
     EXPECT_FALSE(load(run, "plane_trilinear_recursive-3.png").getPixels() == home.getPixels());
     EXPECT_TRUE(load(run, "plane_trilinear_recursive-4.png").getPixels() == home.getPixels());
+    EXPECT_TRUE(load(run, "plane_trilinear_recursive-5.png").getPixels() == home.getPixels());
 }
 
 TEST(Viewer, WithoutDisplayItSaysWhatToDo)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # with_display.sh COMMAND...: runs a command with an X display of its own, 1280 x 800, that nobody sees. OpenGL is Mesa's
-# software renderer. Exit: the command's, or 3 if there is no display.
+# software renderer. Exit: the command's, 124 if it took two minutes, or 3 if there is no display.
 set -u
 
 coproc display { exec Xvfb -displayfd 1 -screen 0 1280x800x24 -nolisten tcp 2>/dev/null; }
@@ -10,7 +10,7 @@ if ! read -r -t 20 number <&"${display[0]}"; then
     echo "Xvfb did not start" >&2
     exit 3
 fi
-DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1 "$@"
+DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1 timeout 120 "$@"
 code=$?
 kill "$server"
 wait "$server" 2>/dev/null
