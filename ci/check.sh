@@ -124,7 +124,7 @@ tidy() {
 
 # What students get, built the way the sheet says, in a folder named the way students name folders: as it is handed out,
 # and with the solution in it. The template makes no mip levels beyond the first.
-renderings=7 mip_levels=8
+renderings=19 mip_levels=8
 template() {
     local folder
     folder=$(mktemp -d)
@@ -141,6 +141,9 @@ template() {
     cp -- "$root/references/exercise_03.cpp" ..
     quietly solution-make make
     create_images $((renderings + mip_levels))
+    quietly debug-cmake cmake -DCMAKE_BUILD_TYPE=Debug -DTESTAT_SANITIZE=address,undefined ../
+    quietly debug-make make -j "$jobs"
+    with_steady_addresses asan ./03_textures --scene plane --width 32 --height 32 --output small.png
 }
 
 # The program in this folder writes as many whole pictures as EXPECTED.

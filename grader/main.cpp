@@ -4,6 +4,7 @@
 #include "json_schema.h"
 #include "process/run.h"
 #include "report/text.h"
+#include "text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -74,7 +75,7 @@ struct GradeCommand {
     {
         Report const report = grade(options, installation());
         std::cout << report_to_text(report, ::language(language)) << "\n"
-                  << (options.out / "report.json").string() << "\n";
+                  << one_line((options.out / "report.json").string()) << "\n";
         return report.at("status") == "graded" ? done : not_gradable;
     }
 };
@@ -126,7 +127,15 @@ int run_command(CLI::App const& app, GradeCommand const& grade_command, RenderCo
 
 int complain(std::exception const& e, Exit code)
 {
-    std::cerr << "testat: " << e.what() << "\n";
+    std::cerr << "testat: " << one_line(e.what()) << "\n";
+    return code;
+}
+
+/// What was printed must have arrived before we say that all is well.
+int finish(int code)
+{
+    if (!std::cout.flush())
+        throw std::runtime_error("the output could not be written");
     return code;
 }
 }  // namespace
@@ -145,7 +154,7 @@ int main(int argc, char** argv)
     catch_interrupts();
     try {
         app.parse(argc, argv);
-        return run_command(app, grade_command, render_command);
+        return finish(run_command(app, grade_command, render_command));
     } catch (CLI::ParseError const& e) {
         return app.exit(e) == 0 ? done : wrong_usage;
     } catch (Interrupted const& e) {

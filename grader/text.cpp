@@ -2,6 +2,7 @@
 
 #include <nettle/sha2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -53,6 +54,14 @@ std::string clean_text(std::string_view bytes, std::size_t max_bytes)
             result += piece;
         bytes.remove_prefix(length == 0 ? 1 : length);
     }
+    return result;
+}
+
+std::string one_line(std::string_view bytes, std::size_t max_bytes)
+{
+    std::string result = clean_text(bytes, max_bytes);
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
     return result;
 }
 

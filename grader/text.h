@@ -8,6 +8,9 @@ namespace testat {
 /// (and with them terminal escape sequences) and bidirectional overrides are dropped, and a cut is marked with "...".
 std::string clean_text(std::string_view bytes, std::size_t max_bytes);
 
+/// The same on a single line, for names and messages: newlines and tabs become spaces.
+std::string one_line(std::string_view bytes, std::size_t max_bytes = 4096);
+
 /// The same for a char array that may lack its terminator.
 template <std::size_t size>
 std::string clean_text(char const (&bytes)[size])

@@ -62,23 +62,14 @@ std::vector<std::string> scenes_in_order()
     return names;
 }
 
-/// Those with normal maps first: then the maps are out of memory when the mip levels are made.
-std::vector<AssignmentImage> pictures_of(std::string const& scene)
-{
-    std::vector<AssignmentImage> pictures;
-    for (bool const normal_mapping : {true, false})
-        for (AssignmentImage const& picture : assignment_images())
-            if (picture.scene == scene && picture.params.normal_mapping == normal_mapping)
-                pictures.push_back(picture);
-    return pictures;
-}
-
 /// One scene after the other, so that only one is in memory.
 void create_pictures(std::string const& scene_name, AssetLibrary& assets, int threads, Report const& report,
                      Writer& writer)
 {
     std::unique_ptr<Scene> const scene = create_scene(scene_name, assets);
-    for (AssignmentImage const& picture : pictures_of(scene_name)) {
+    for (AssignmentImage const& picture : assignment_images()) {
+        if (picture.scene != scene_name)
+            continue;
         auto image = std::make_shared<Image>();
         RenderOptions options;
         options.threads = threads;

@@ -41,8 +41,20 @@ float const flat_windows_x[] = {-1.45f, 1.25f};
 /// Front of the paintings on the wall at +x.
 float const flat_paintings_x = 3.15f;
 
+/// All the wood in the room.
+glm::vec3 const flat_oak_color(0.50f, 0.33f, 0.18f);
+
+/// All that stands in the room, or hangs on its walls, and the light of its lamps.
+void add_furniture(Room& room);
+
 /// How a place in the room looks.
 Surface flat_surface(Hit const& hit);
+
+/// The same, for all but floor, walls, ceiling, door and windows.
+Surface furniture_surface(Hit const& hit);
+
+/// The light that comes from a direction outside: sky, houses, and trees in front of them.
+glm::vec3 outside_flat(glm::vec3 const& direction);
 
 /// How much of the sun comes through the windows towards a place.
 float sun_in_flat(glm::vec3 const& position);

@@ -42,15 +42,7 @@ float pore(glm::vec2 const& p, int cells, float share, std::uint32_t seed)
 
 float pores(glm::vec2 const& p)
 {
-    return std::max(pore(p, 64, 0.12f, 11), pore(p, 24, 0.07f, 12));
-}
-
-/// Hairline cracks run where two values of a slow noise meet, and only in some places.
-float crack(glm::vec2 const& p)
-{
-    float const path = periodic_turbulence(3.f * p, 3, 6, 21);
-    float const place = smooth_step(0.52f, 0.62f, periodic_noise(4.f * p, 4, 22));
-    return place * (1.f - smooth_step(0.f, 0.006f, std::abs(path - 0.5f)));
+    return std::max(pore(p, 64, 0.09f, 11), pore(p, 24, 0.05f, 12));
 }
 
 float floor_height(glm::vec2 const& p)
@@ -58,7 +50,7 @@ float floor_height(glm::vec2 const& p)
     float const groove = 1.f - smooth_step(1.f, 3.5f, joint_distance(p));
     float const waves = 5.f * periodic_turbulence(8.f * p, 8, 3, 31);
     float const grain = 1.1f * periodic_turbulence(96.f * p, 96, 2, 32);
-    return waves + grain - 3.f * groove - 2.2f * pores(p) - 1.2f * crack(p);
+    return waves + grain - 3.f * groove - 2.2f * pores(p);
 }
 
 HeightField make_heights()
@@ -82,7 +74,7 @@ float shade(glm::vec2 const& p)
 {
     float const groove = 1.f - smooth_step(1.2f, 3.2f, joint_distance(p));
     float const dirt = 1.f - smooth_step(2.f, 14.f, joint_distance(p));
-    return (1.f - 0.5f * groove) * (1.f - 0.10f * dirt) * (1.f - 0.45f * pores(p)) * (1.f - 0.4f * crack(p));
+    return (1.f - 0.5f * groove) * (1.f - 0.10f * dirt) * (1.f - 0.38f * pores(p));
 }
 }  // namespace
 
@@ -99,5 +91,5 @@ Image make_concrete_diffuse()
 
 Image make_concrete_normal()
 {
-    return make_normal_map(make_heights());
+    return make_normal_map(make_heights(), Bitangent::along_v);
 }

@@ -93,7 +93,7 @@ Strokes number_strokes(int number)
         x += digit_pitch;
     }
     if (number == 6 || number == 9)
-        strokes.push_back({{-0.3f, -0.78f}, {0.3f, -0.78f}});
+        strokes.push_back({{-0.26f, -0.78f}, {0.26f, -0.78f}});
     return strokes;
 }
 

@@ -14,7 +14,7 @@ int const last_line = 18;
 float const spacing = 0.0478515625f;
 float const half_line = 2.f / float(size);
 float const star_radius = 9.5f / float(size);
-WoodCut const cut = {0.36f, 0.42f, 0.12f, 34.f, 101};
+WoodCut const cut = {0.36f, 0.42f, 0.12f, 40.f, 101};
 
 /// Number of the line next to a texture coordinate.
 float nearest_line(float coordinate)
@@ -73,6 +73,7 @@ Image make_go_board_diffuse()
 
 Image make_go_board_normal()
 {
-    return make_normal_map(HeightField(size, size, Border::clamp,
-                                       [](int x, int y) { return board_height(texel_center(x, y, size, size)); }));
+    HeightField const heights(size, size, Border::clamp,
+                              [](int x, int y) { return board_height(texel_center(x, y, size, size)); });
+    return make_normal_map(heights, Bitangent::along_v);
 }

@@ -68,11 +68,12 @@ HeightField HeightField::blurred(int radius) const
     return blurred_and_transposed(blurred_and_transposed(*this, border_, radius), border_, radius);
 }
 
-Image make_normal_map(HeightField const& field)
+Image make_normal_map(HeightField const& field, Bitangent bitangent)
 {
+    float const along_v = bitangent == Bitangent::along_v ? 1.f : -1.f;
     return make_image(field.width(), field.height(), [&](int x, int y) {
         glm::vec2 const slope = field.slope(x, y);
-        glm::vec3 const normal = glm::normalize(glm::vec3(-slope.x, 1.f, -slope.y));
+        glm::vec3 const normal = glm::normalize(glm::vec3(-slope.x, 1.f, -along_v * slope.y));
         return glm::vec3(0.5f + 0.5f * normal.x, 0.5f + 0.5f * normal.z, normal.y);
     });
 }

@@ -35,6 +35,10 @@ private:
     std::vector<float> values_;
 };
 
-/// The unit normals (x, y, z) ~ (-dh/du, 1, -dh/dv), with y away from the surface, x along growing u and z along
-/// growing v, as rgb = ((x + 1) / 2, (z + 1) / 2, y).
-Image make_normal_map(HeightField const& field);
+/// Where the bitangent of the mapping points: that of planes and quads along growing v, the default one, which spheres
+/// have, along falling v.
+enum class Bitangent { along_v, against_v };
+
+/// The unit normals (x, y, z) as rgb = ((x + 1) / 2, (z + 1) / 2, y): x is along growing u, y away from the surface, z
+/// along the bitangent, so that (x, y, z) ~ (-dh/du, 1, -dh/dv), or (-dh/du, 1, dh/dv) for Bitangent::against_v.
+Image make_normal_map(HeightField const& field, Bitangent bitangent);

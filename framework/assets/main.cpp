@@ -1,5 +1,7 @@
-// make_assets OUTDIR [STEM...]: writes the textures of the scenes, or only those named.
+// make_assets OUTDIR [STEM...]: writes the textures of the scenes, or only those named, and keeps their decoded texels.
 #include "textures.h"
+
+#include <cglib/rt/asset_library.h>
 
 #include <cstdio>
 #include <exception>
@@ -49,8 +51,11 @@ Textures named_textures(std::vector<std::string> const& stems)
 void write(Textures const& textures, std::filesystem::path const& directory)
 {
     std::filesystem::create_directories(directory);
-    for (auto const& [stem, make] : textures)
+    AssetLibrary const library(directory.string());
+    for (auto const& [stem, make] : textures) {
         make().save((directory / (stem + ".png")).string(), as_stored);
+        library.cache_texels(stem);
+    }
 }
 }  // namespace
 

@@ -9,9 +9,10 @@ namespace {
 float const irregularity = 0.52f;
 float const corner_radius = 0.13f;
 
+/// i is outside by less than size.
 int wrap(int i, int size)
 {
-    return ((i % size) + size) % size;
+    return i < 0 ? i + size : i < size ? i : i - size;
 }
 
 /// The smaller of both, with a round transition where they differ by less than radius.
@@ -37,13 +38,31 @@ Masonry::Masonry(int num_columns, int num_rows, std::uint32_t seed) : size_(num_
         for (int i = 0; i < num_columns; ++i)
             jitter_.push_back(irregularity *
                               (glm::vec2(hash_to_unit(i, j, seed), hash_to_unit(i, j, seed + 1)) - 0.5f));
+    for (int j = 0; j < num_rows; ++j)
+        for (int i = 0; i < num_columns; ++i)
+            sides_.push_back(find_sides(glm::ivec2(i, j)));
+}
+
+std::vector<Masonry::Side> Masonry::find_sides(glm::ivec2 const& stone) const
+{
+    std::vector<Side> sides;
+    for_each_neighbour(stone, [&](glm::ivec2 const& other) {
+        glm::vec2 const way = center(other) - center(stone);
+        if (other != stone)
+            sides.push_back({glm::normalize(way), 0.5f * glm::length(way)});
+    });
+    return sides;
+}
+
+std::size_t Masonry::index(glm::ivec2 const& stone) const
+{
+    return std::size_t(wrap(stone.x, size_.x) + wrap(stone.y, size_.y) * size_.x);
 }
 
 glm::vec2 Masonry::center(glm::ivec2 const& stone) const
 {
-    int const index = wrap(stone.x, size_.x) + wrap(stone.y, size_.y) * size_.x;
     float const shift = stone.y % 2 == 0 ? 0.25f : 0.75f;
-    return glm::vec2(stone) + glm::vec2(shift, 0.5f) + jitter_[std::size_t(index)];
+    return glm::vec2(stone) + glm::vec2(shift, 0.5f) + jitter_[index(stone)];
 }
 
 glm::ivec2 Masonry::nearest(glm::vec2 const& position, glm::ivec2 const& cell) const
@@ -60,17 +79,11 @@ glm::ivec2 Masonry::nearest(glm::vec2 const& position, glm::ivec2 const& cell) c
     return best;
 }
 
-float Masonry::border_distance(glm::vec2 const& position, glm::ivec2 const& stone) const
+float Masonry::border_distance(glm::ivec2 const& stone, glm::vec2 const& offset) const
 {
     float distance = 1.f;
-    glm::vec2 const mine = center(stone);
-    for_each_neighbour(stone, [&](glm::ivec2 const& other) {
-        if (other == stone)
-            return;
-        glm::vec2 const its = center(other);
-        float const to_bisector = glm::dot(0.5f * (mine + its) - position, glm::normalize(its - mine));
-        distance = smooth_min(distance, to_bisector, corner_radius);
-    });
+    for (Side const& side : sides_[index(stone)])
+        distance = smooth_min(distance, side.distance - glm::dot(side.direction, offset), corner_radius);
     return distance;
 }
 
@@ -79,5 +92,5 @@ StonePoint Masonry::find(glm::vec2 const& p) const
     glm::vec2 const position = p * glm::vec2(size_);
     glm::ivec2 const stone = nearest(position, glm::ivec2(glm::floor(position)));
     glm::ivec2 const name(wrap(stone.x, size_.x), wrap(stone.y, size_.y));
-    return {name, position - center(stone), border_distance(position, stone)};
+    return {name, position - center(stone), border_distance(stone, position - center(stone))};
 }

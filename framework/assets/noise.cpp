@@ -14,6 +14,9 @@ std::uint32_t mix_bits(std::uint32_t h)
 
 int wrap(int value, int period)
 {
+    // Most are inside, and division is slow.
+    if (value >= 0 && value < period)
+        return value;
     int const remainder = value % period;
     return remainder < 0 ? remainder + period : remainder;
 }

@@ -2,6 +2,7 @@
 
 #include "raster.h"
 #include "shadow_grid.h"
+#include "view_blocks.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -12,97 +13,112 @@ namespace {
 int const width = 2048;
 int const height = 1024;
 int const tile_size = 16;
-/// Along each side of a texel.
-int const num_samples = 2;
+int const tiles_across = width / tile_size;
 float const texel_angle = glm::pi<float>() / float(height);
+/// Samples lie in the middles of the four quarters of a texel.
+int const samples_across = 2;
 
-/// x and y in texels.
-glm::vec3 direction(float x, float y)
+/// Cosines and sines of the angles of samples, from the first angle on.
+std::vector<glm::vec2> sample_angles(int count, float first)
 {
-    float const longitude = x * texel_angle - glm::pi<float>();
-    float const latitude = y * texel_angle - glm::half_pi<float>();
-    float const horizontal = std::cos(latitude);
-    return glm::vec3(horizontal * std::cos(longitude), std::sin(latitude), horizontal * std::sin(longitude));
+    std::vector<glm::vec2> angles;
+    for (int i = 0; i < count; ++i) {
+        float const angle = first + (float(i) + 0.5f) * texel_angle / float(samples_across);
+        angles.push_back(glm::vec2(std::cos(angle), std::sin(angle)));
+    }
+    return angles;
 }
 
-/// The blocks that can be seen in a tile, and those that can darken what is seen.
-struct TileBlocks {
-    BlockList seen;
-    BlockList nearby;
+/// Bright light saturates softly, and little light fades, as on film. The root encodes for gamma 2.
+glm::vec3 encoded(glm::vec3 const& light)
+{
+    glm::vec3 const exposed = 1.2f * light * light / (light + 0.1f);
+    return glm::sqrt(1.f - glm::exp(-exposed));
+}
+
+/// The view from the origin, texel by texel.
+class Panorama {
+public:
+    explicit Panorama(Room const& room);
+    glm::vec3 color(int x, int y) const;
+
+private:
+    glm::vec3 direction(glm::ivec2 const& sample) const;
+    ViewBlocks tile_blocks(glm::ivec2 const& tile) const;
+    Hit look(BlockList const& seen, glm::ivec2 const& sample) const;
+
+    Room const& room_;
+    ShadowGrid shadows_;
+    std::vector<glm::vec2> longitudes_;
+    std::vector<glm::vec2> latitudes_;
+    std::vector<ViewBlocks> tiles_;
 };
 
-/// Whether a ball is met by a cone around axis that starts at the origin.
-bool meets_cone(glm::vec3 const& center, float radius, glm::vec3 const& axis, float cone_angle)
+Panorama::Panorama(Room const& room)
+    : room_(room),
+      shadows_(room),
+      longitudes_(sample_angles(samples_across * width, -glm::pi<float>())),
+      latitudes_(sample_angles(samples_across * height, -glm::half_pi<float>())),
+      tiles_(std::size_t(tiles_across * height / tile_size))
 {
-    float const distance = glm::length(center);
-    if (distance <= radius)
-        return true;
-    float const angle = std::acos(glm::clamp(glm::dot(center, axis) / distance, -1.f, 1.f));
-    return angle <= cone_angle + std::asin(radius / distance);
+    for_each_row(int(tiles_.size()), [&](int i) {
+        tiles_[std::size_t(i)] = tile_blocks({i % tiles_across, i / tiles_across});
+    });
 }
 
-TileBlocks tile_blocks(Room const& room, float x, float y)
+glm::vec3 Panorama::direction(glm::ivec2 const& sample) const
 {
-    float const half = 0.5f * float(tile_size);
-    glm::vec3 const axis = direction(x + half, y + half);
-    float const cos_angle = std::min({glm::dot(axis, direction(x, y)), glm::dot(axis, direction(x, y + 2.f * half)),
-                                      glm::dot(axis, direction(x, y + half))});
-    float const cone_angle = std::acos(glm::clamp(cos_angle, -1.f, 1.f)) + 0.01f;
-    TileBlocks blocks;
-    for (std::size_t i = 0; i < room.blocks.size(); ++i) {
-        float const radius = glm::length(room.blocks[i].half_size);
-        if (meets_cone(room.blocks[i].center, radius, axis, cone_angle))
-            blocks.seen.push_back(int(i));
-        if (meets_cone(room.blocks[i].center, radius + occlusion_range, axis, cone_angle))
-            blocks.nearby.push_back(int(i));
-    }
-    return blocks;
+    glm::vec2 const longitude = longitudes_[std::size_t(sample.x)];
+    glm::vec2 const latitude = latitudes_[std::size_t(sample.y)];
+    return glm::vec3(latitude.x * longitude.x, latitude.y, latitude.x * longitude.y);
 }
 
-Hit look(Room const& room, BlockList const& seen, float x, float y)
+ViewBlocks Panorama::tile_blocks(glm::ivec2 const& tile) const
 {
-    glm::vec3 const d = direction(x, y);
-    Hit hit = trace(room, seen, glm::vec3(0.f), d);
+    int const samples = samples_across * tile_size;
+    glm::ivec2 const first = samples * tile;
+    glm::vec3 const axis = direction(first + samples / 2);
+    float cosine = 1.f;
+    for (glm::ivec2 const& border : {glm::ivec2(0, 0), glm::ivec2(0, samples - 1), glm::ivec2(0, samples / 2)})
+        cosine = std::min(cosine, glm::dot(axis, direction(first + border)));
+    return find_view_blocks(room_, axis, std::acos(cosine) + 0.01f);
+}
+
+Hit Panorama::look(BlockList const& seen, glm::ivec2 const& sample) const
+{
+    glm::vec3 const d = direction(sample);
+    Hit hit = trace(room_, seen, glm::vec3(0.f), d);
     hit.footprint = hit.t * texel_angle / std::max(std::abs(glm::dot(d, hit.normal)), 0.05f);
     return hit;
 }
 
-/// Bright light saturates softly. The root encodes for gamma 2.
-glm::vec3 encoded(glm::vec3 const& light)
+/// The mean of several samples. Patterns are blurred already: only where faces meet the third and fourth are needed.
+/// Light varies slowly, but for that of the sun: it is found once for each face that the texel shows.
+glm::vec3 Panorama::color(int x, int y) const
 {
-    return glm::sqrt(1.f - glm::exp(-light));
-}
-
-/// The mean of several samples. Light varies slowly, but for that of the sun: it is found once for each face that the
-/// texel shows.
-glm::vec3 texel_color(Room const& room, ShadowGrid const& shadows, TileBlocks const& blocks, int x, int y)
-{
+    static glm::ivec2 const places[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    ViewBlocks const& blocks = tiles_[std::size_t(x / tile_size + y / tile_size * tiles_across)];
     glm::vec3 sum(0.f);
     glm::vec3 light(0.f);
     int lit_face = 0;
-    for (int i = 0; i < num_samples * num_samples; ++i) {
-        glm::vec2 const shift = (glm::vec2(float(i % num_samples), float(i / num_samples)) + 0.5f) / float(num_samples);
-        Hit const hit = look(room, blocks.seen, float(x) + shift.x, float(y) + shift.y);
-        if (i == 0 || hit.face != lit_face)
-            light = arriving_light(room, blocks.nearby, hit);
-        lit_face = hit.face;
-        Surface const surface = room.surface(hit);
-        sum += encoded(surface.emission + surface.albedo * (light + shadows.sun_light(hit)));
+    int num_faces = 0;
+    int num_samples = 0;
+    for (; num_samples < (num_faces < 2 ? 2 : 4); ++num_samples) {
+        Hit const hit = look(blocks.seen, samples_across * glm::ivec2(x, y) + places[num_samples]);
+        if (num_faces == 0 || hit.face != lit_face) {
+            light = arriving_light(room_, blocks.nearby, hit);
+            lit_face = hit.face;
+            ++num_faces;
+        }
+        Surface const surface = room_.surface(hit);
+        sum += encoded(surface.emission + surface.albedo * (light + shadows_.sun_light(hit)));
     }
-    return sum / float(num_samples * num_samples);
+    return sum / float(num_samples);
 }
 }  // namespace
 
 Image make_panorama(Room const& room)
 {
-    ShadowGrid const shadows(room);
-    int const num_columns = width / tile_size;
-    std::vector<TileBlocks> tiles(std::size_t(num_columns) * std::size_t(height / tile_size));
-    for_each_row(int(tiles.size()), [&](int i) {
-        tiles[std::size_t(i)] =
-            tile_blocks(room, float(i % num_columns * tile_size), float(i / num_columns * tile_size));
-    });
-    return make_image(width, height, [&](int x, int y) {
-        return texel_color(room, shadows, tiles[std::size_t(x / tile_size + y / tile_size * num_columns)], x, y);
-    });
+    Panorama const panorama(room);
+    return make_image(width, height, [&](int x, int y) { return panorama.color(x, y); });
 }

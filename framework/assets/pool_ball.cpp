@@ -15,7 +15,7 @@ int const height = 512;
 /// Of a texel at the equator, in radians, which are radii of the ball.
 float const texel = glm::two_pi<float>() / float(width);
 /// All in radii of the ball.
-float const disc_radius = 0.40f;
+float const disc_radius = 0.42f;
 float const half_stripe = 0.56f;
 float const half_stroke = 0.105f;
 
@@ -59,16 +59,23 @@ float covered(float distance)
 /// What is on the balls besides their colours.
 class Number {
 public:
-    explicit Number(int number) : strokes_(number_strokes(number)), size_(number < 10 ? 0.40f : 0.36f) {}
+    explicit Number(int number)
+        : strokes_(number_strokes(number)),
+          // The line under 6 and 9 needs room.
+          middle_(0.f, number == 6 || number == 9 ? 0.055f : 0.f),
+          size_(number < 10 ? 0.38f : 0.34f)
+    {
+    }
 
     glm::vec3 disc_color(BallPoint const& point) const
     {
-        float const distance = stroke_distance(strokes_, point.seen / size_, half_stroke);
+        float const distance = stroke_distance(strokes_, (point.seen - middle_) / size_, half_stroke);
         return glm::mix(white, ink, covered(distance * size_));
     }
 
 private:
     std::vector<Segment> strokes_;
+    glm::vec2 middle_;
     float size_;
 };
 

@@ -32,7 +32,7 @@ private:
         glm::vec2 position = float(size) * glm::vec2(random(0), random(1));
         float angle = glm::two_pi<float>() * random(2);
         float const bend = 0.16f * (random(3) - 0.5f);
-        float const strength = 0.11f * (random(4) - 0.45f);
+        float const strength = 0.16f * (random(4) - 0.45f);
         int const length = 8 + int(18.f * random(5));
         for (int step = 0; step < length; ++step) {
             splat(position, strength);

@@ -57,8 +57,11 @@ struct Room {
     /// Light from above and from below where nothing is in the way.
     glm::vec3 light_from_above;
     glm::vec3 light_from_below;
+    /// To the sun, unit, not straight up.
     glm::vec3 sun_direction;
+    /// On a surface that faces it.
     glm::vec3 sun_light;
+    /// Never null, like sun_enters, where the room is shown.
     Surface (*surface)(Hit const&);
     /// How much of the sun enters towards a place, if no block is in the way.
     float (*sun_enters)(glm::vec3 const& position);

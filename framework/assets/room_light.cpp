@@ -13,7 +13,7 @@ float openness(Room const& room, BlockList const& nearby, Hit const& hit)
     float closed = 0.f;
     for (float const step : {0.06f, 0.2f, 0.5f, occlusion_range}) {
         float const room_there = free_distance(room, nearby, hit.position + step * hit.normal);
-        closed += 0.26f * glm::clamp(1.f - room_there / step, 0.f, 1.f);
+        closed += 0.19f * glm::clamp(1.f - room_there / step, 0.f, 1.f);
     }
     return std::max(1.f - closed, 0.f);
 }
@@ -22,9 +22,10 @@ glm::vec3 lamp_light(Lamp const& lamp, Hit const& hit)
 {
     glm::vec3 const way = lamp.position - hit.position;
     float const square = glm::dot(way, way);
-    // Half wrapped around, as lamps and windows are large.
-    float const arriving = glm::dot(hit.normal, way) / std::sqrt(square) * 0.75f + 0.25f;
-    float const leaving = -glm::dot(lamp.direction, way) / std::sqrt(square) * 0.75f + 0.25f;
+    glm::vec3 const direction = way * (1.f / std::sqrt(square));
+    // A quarter wrapped around, as lamps and windows are large.
+    float const arriving = 0.75f * glm::dot(hit.normal, direction) + 0.25f;
+    float const leaving = -0.75f * glm::dot(lamp.direction, direction) + 0.25f;
     return lamp.power * (std::max(arriving, 0.f) * std::max(leaving, 0.f) / (square + lamp_area));
 }
 

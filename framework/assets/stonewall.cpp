@@ -44,6 +44,8 @@ float stone_relief(StonePoint const& point, glm::vec2 const& p)
 float wall_height(glm::vec2 const& p)
 {
     StonePoint const point = stone_at(p);
+    if (stoniness(point) == 1.f)
+        return stone_relief(point, p);
     float const mortar = 5.f * (periodic_turbulence(64.f * p, 64, 3, 31) - 0.5f);
     return glm::mix(mortar, stone_relief(point, p), stoniness(point));
 }
@@ -61,7 +63,7 @@ glm::vec3 stone_tone(StonePoint const& point)
                                       {0.56f, 0.47f, 0.39f}, {0.66f, 0.63f, 0.57f}, {0.50f, 0.44f, 0.40f}};
     int const kind = int(property(point, 41) * 6.f);
     glm::vec3 const tone = glm::mix(kinds[kind], kinds[(kind + 1) % 6], 0.5f * property(point, 42));
-    return tone * (0.85f + 0.25f * property(point, 43));
+    return tone * (0.88f + 0.32f * property(point, 43));
 }
 
 glm::vec3 stone_color(StonePoint const& point, glm::vec2 const& p)
@@ -69,21 +71,23 @@ glm::vec3 stone_color(StonePoint const& point, glm::vec2 const& p)
     float const stain = periodic_turbulence(9.f * p, 9, 4, 51 + std::uint32_t(point.stone.y));
     float const speckle = periodic_noise(256.f * p, 256, 52);
     float const lichen = smooth_step(0.62f, 0.75f, periodic_turbulence(12.f * p, 12, 5, 53));
-    glm::vec3 const stone = stone_tone(point) * (0.72f + 0.46f * stain + 0.16f * (speckle - 0.5f));
+    glm::vec3 const stone = stone_tone(point) * (0.64f + 0.56f * stain + 0.16f * (speckle - 0.5f));
     return glm::mix(stone, glm::vec3(0.60f, 0.60f, 0.44f), 0.45f * lichen);
 }
 
 glm::vec3 mortar_color(glm::vec2 const& p)
 {
-    return glm::vec3(0.55f, 0.52f, 0.47f) * (0.75f + 0.4f * periodic_turbulence(90.f * p, 90, 3, 61));
+    return glm::vec3(0.66f, 0.64f, 0.60f) * (0.75f + 0.4f * periodic_turbulence(90.f * p, 90, 3, 61));
 }
 
-/// What lies deeper than its surroundings gets less light.
-glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings)
+/// What lies deeper than its surroundings, or its neighbours, gets less light.
+glm::vec3 wall_color(glm::vec2 const& p, float above_surroundings, float above_neighbours)
 {
     StonePoint const point = stone_at(p);
-    glm::vec3 const color = glm::mix(mortar_color(p), stone_color(point, p), stoniness(point));
-    return color * glm::clamp(0.95f + 0.045f * above_surroundings, 0.35f, 1.15f);
+    float const stony = stoniness(point);
+    glm::vec3 const color =
+        stony < 1.f ? glm::mix(mortar_color(p), stone_color(point, p), stony) : stone_color(point, p);
+    return color * glm::clamp(0.98f + 0.055f * above_surroundings + 0.10f * above_neighbours, 0.25f, 1.25f);
 }
 }  // namespace
 
@@ -91,12 +95,14 @@ Image make_stonewall_diffuse()
 {
     HeightField const heights = make_heights();
     HeightField const surroundings = heights.blurred(10);
+    HeightField const neighbours = heights.blurred(2);
     return make_image(size, size, [&](int x, int y) {
-        return wall_color(texel_center(x, y, size, size), heights.at(x, y) - surroundings.at(x, y));
+        float const h = heights.at(x, y);
+        return wall_color(texel_center(x, y, size, size), h - surroundings.at(x, y), h - neighbours.at(x, y));
     });
 }
 
 Image make_stonewall_normal()
 {
-    return make_normal_map(make_heights());
+    return make_normal_map(make_heights(), Bitangent::against_v);
 }

@@ -11,18 +11,18 @@ Image make_checker();
 
 /// A wall of rough stones, 1024 x 1024, tileable. As for gamma 2.2.
 Image make_stonewall_diffuse();
-/// Its normals, see make_normal_map.
+/// Its normals, see make_normal_map; for spheres: their bitangent points along falling v.
 Image make_stonewall_normal();
 
 /// A floor of concrete slabs, 512 x 512, tileable. As for gamma 2.2.
 Image make_concrete_diffuse();
-/// Its normals, see make_normal_map.
+/// Its normals, see make_normal_map; for planes.
 Image make_concrete_normal();
 
 /// A wooden board of 19 x 19 lines, 2048 x 2048: line i is at 0.5 + (i - 9) * 0.0478515625 of the picture's width and
 /// height. As for gamma 2.2.
 Image make_go_board_diffuse();
-/// The normals of its grain and its engraved lines, see make_normal_map.
+/// The normals of its grain and its engraved lines, see make_normal_map; for quads.
 Image make_go_board_normal();
 
 /// Ball `number`, 1 to 15 (asserted), longitude by latitude, 1024 x 512, with its number in discs at longitudes 1/4 and

@@ -33,8 +33,19 @@ float const hall_bay = 6.f;
 float const hall_first_column_z = -34.f;
 int const hall_num_columns = 10;
 
+/// Light of the sky.
+glm::vec3 const hall_sky(1.55f, 1.75f, 2.0f);
+/// Paint of the steel.
+glm::vec3 const hall_grey(0.40f, 0.45f, 0.50f);
+
 /// How a place in the hall looks.
 Surface hall_surface(Hit const& hit);
+
+/// The same, for walls and roof.
+Surface hall_shell_surface(Hit const& hit);
+
+/// Yellow and black stripes across a position.
+glm::vec3 hazard(float position, float footprint);
 
 /// 1 in a skylight, at a place of the roof.
 float skylight(glm::vec3 const& position, float footprint);

@@ -15,14 +15,15 @@ struct View {
     glm::dvec3 up;
 };
 
+/// The framework's order of the corners: (-,-) (+,+) (-,+) (+,-).
+constexpr double corner_signs[4][2] = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}};
+
 void set_corners(FootprintQuestion& q, View const& view)
 {
-    // The framework's order of the corners: (-,-) (+,+) (-,+) (+,-).
-    constexpr double signs[4][2] = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}};
     glm::dvec3 const forward = glm::normalize(dvec3(q.position) - view.eye);
     for (int i = 0; i < 4; ++i) {
         store(view.eye, q.origin[i]);
-        store(glm::normalize(forward + signs[i][0] * view.right + signs[i][1] * view.up), q.direction[i]);
+        store(glm::normalize(forward + corner_signs[i][0] * view.right + corner_signs[i][1] * view.up), q.direction[i]);
     }
 }
 
@@ -90,29 +91,42 @@ FootprintQuestion ask_misses(Random& random)
     FootprintQuestion q = make_question(plane, position, {0, 1, 0}, {1, 0, 0});
     glm::dvec3 const eye = position + glm::dvec3(0, 2, 0);
     set_corners(q, {eye, {random.uniform(0.1, 0.5), 0, 0}, {0, 0, -random.uniform(0.1, 0.5)}});
-    int const first = random.integer(0, 3);
-    for (int i = 0; i < random.integer(1, 3); ++i) {  // upward, or exactly parallel
+    // Never the first corner: from there, the differences to the others are still the size of the box, which other
+    // checks look at.
+    int const first = random.integer(0, 2);
+    int const misses = random.integer(1, 3);
+    for (int i = 0; i < misses; ++i) {  // upward, or exactly parallel
         glm::dvec3 const away(random.uniform(-1, 1), random.coin() ? 0.0 : random.uniform(0.1, 1), 1);
-        store(glm::normalize(away), q.direction[(first + i) % 4]);
+        store(glm::normalize(away), q.direction[1 + (first + i) % 3]);
     }
     return q;
 }
 
-/// A sphere, away from poles and seam, seen at an angle: there the tangent plane is far from the sphere.
+/// A plane whose normal at the hit leans to the side, as interpolated normals do: the tangent plane is another one. The
+/// corners lie on it so that their uv are a rectangle along u and v.
 FootprintQuestion ask_tangent_plane(Random& random)
 {
-    Shape const sphere = make_sphere(random_vector(random, 3), random.uniform(1, 2), random.coin() ? 1 : 5);
-    for (;;) {
-        glm::dvec3 const normal = random_direction(random);
-        glm::dvec3 const position = dvec3(sphere.center) + double(sphere.radius) * normal;
-        double const u = map_uv(sphere, position).x / sphere.scale_uv;
-        if (std::abs(normal.y) > 0.7 || u < 0.2 || u > 0.8)
-            continue;
-        FootprintQuestion q =
-            make_question(sphere, position, normal, glm::normalize(glm::dvec3(normal.z, 0, -normal.x)));
-        set_corners(q, random_view(random, position, normal, 0.4, 0.8, 0.03));
-        return q;
+    glm::dmat3 const frame(random_rotation(random));
+    Shape const plane = make_plane(random_vector(random, 3), frame[1], frame[0], random_scale_uv(random));
+    glm::dvec3 const position =
+        dvec3(plane.center) + frame * glm::dvec3(random.uniform(-9, 9), 0, random.uniform(-9, 9));
+    double const side = random.coin() ? 1 : -1;
+    glm::dvec3 const lean(side * random.uniform(0.2, 0.5), 1, random.uniform(0.2, 0.5));
+    FootprintQuestion q = make_question(plane, position, glm::normalize(frame * lean), frame[0]);
+    // Along the tangent plane, one unit in u or in v goes up or down by the slope.
+    glm::dvec3 const along_u = frame * glm::dvec3(1, -lean.x, 0);
+    glm::dvec3 const along_v = frame * glm::dvec3(0, -lean.z, 1);
+    double const width = random.uniform(0.05, 0.2);
+    double const height = random.uniform(0.05, 0.2);
+    glm::dvec3 const eye =
+        position + frame * glm::dvec3(random.uniform(-1, 1), random.uniform(2, 8), random.uniform(-1, 1));
+    for (int i = 0; i < 4; ++i) {
+        glm::dvec3 const corner =
+            position + corner_signs[i][0] * width * along_u + corner_signs[i][1] * height * along_v;
+        store(eye, q.origin[i]);
+        store(glm::normalize(corner - eye), q.direction[i]);
     }
+    return q;
 }
 
 auto ask(FootprintQuestion (*make)(Random&))

@@ -38,11 +38,7 @@ public:
     }
 
 private:
-    static void not_asked(CheckResult& result)
-    {
-        result.ended = Ended::lost;
-        result.detail = "not asked: the function cannot be called";
-    }
+    static void not_asked(CheckResult& result) { result.ended = Ended::lost; }
 
     void judge(Answers const& answers, CheckResult& result) const
     {
@@ -69,9 +65,9 @@ private:
         auto const& d = verdict.deviation();
         result.mismatch =
             Mismatch{describe_question(answers.group, verdict.question(), textures_), d.measured, d.expected};
-        result.detail = "expected " + d.expected;
+        result.detail = d.expected;
         if (std::isfinite(d.in_bounds))
-            result.detail += fmt::format(" ({:.3g} times the error that is allowed)", d.in_bounds);
+            result.detail += fmt::format(" (|error| / bound = {:.3g})", d.in_bounds);
     }
 
     UnitCheck const& check_;

@@ -5,10 +5,10 @@
 namespace testat {
 namespace {
 constexpr int questions_each = 512;
-/// Far enough for every picture, near enough for a loop or a recursion that adds `size` again and again.
-int farthest(int size)
+/// Far enough for every picture, near enough for a loop or a recursion that goes on by `step` again and again.
+int farthest(int step)
 {
-    return std::min(1'000'000, 10'000 * size);
+    return std::min(1'000'000, 10'000 * step);
 }
 
 int repeat(int val, int size)
@@ -47,16 +47,31 @@ Group ask_inside(Random& random, Textures const&)
     return ask(random, 0, 5, [](Random& r, int size) { return r.integer(0, size - 1); });
 }
 
-Group ask_behind(Random& random, Textures const&)
+/// Clamping step by step goes by one, repeating by the size.
+int repeated(int size)
 {
-    return ask(random, 6, 24,
-               [](Random& r, int size) { return r.integer(size, r.coin() ? 4 * size : farthest(size)); });
+    return farthest(size);
 }
 
-Group ask_negative(Random& random, Textures const&)
+int clamped(int size)
 {
-    return ask(random, -24, -1,
-               [](Random& r, int size) { return r.integer(r.coin() ? -4 * size : -farthest(size), -1); });
+    return std::max(farthest(1), 2 * size);
+}
+
+auto ask_behind(int (*last)(int))
+{
+    return [=](Random& random, Textures const&) {
+        return ask(random, 6, 24,
+                   [=](Random& r, int size) { return r.integer(size, r.coin() ? 4 * size : last(size)); });
+    };
+}
+
+auto ask_negative(int (*last)(int))
+{
+    return [=](Random& random, Textures const&) {
+        return ask(random, -24, -1,
+                   [=](Random& r, int size) { return r.integer(r.coin() ? -4 * size : -last(size), -1); });
+    };
 }
 
 auto judge_with(int (*oracle)(int, int))
@@ -74,10 +89,10 @@ auto judge_with(int (*oracle)(int, int))
 void add_wrap_checks(std::vector<UnitCheck>& checks)
 {
     checks.push_back({"WrapClamp.InsideTheRange", Function::wrap_clamp, ask_inside, judge_with(clamp)});
-    checks.push_back({"WrapClamp.NegativeIndices", Function::wrap_clamp, ask_negative, judge_with(clamp)});
-    checks.push_back({"WrapClamp.BeyondTheEnd", Function::wrap_clamp, ask_behind, judge_with(clamp)});
+    checks.push_back({"WrapClamp.NegativeIndices", Function::wrap_clamp, ask_negative(clamped), judge_with(clamp)});
+    checks.push_back({"WrapClamp.BeyondTheEnd", Function::wrap_clamp, ask_behind(clamped), judge_with(clamp)});
     checks.push_back({"WrapRepeat.InsideTheRange", Function::wrap_repeat, ask_inside, judge_with(repeat)});
-    checks.push_back({"WrapRepeat.BeyondTheEnd", Function::wrap_repeat, ask_behind, judge_with(repeat)});
-    checks.push_back({"WrapRepeat.NegativeIndices", Function::wrap_repeat, ask_negative, judge_with(repeat)});
+    checks.push_back({"WrapRepeat.BeyondTheEnd", Function::wrap_repeat, ask_behind(repeated), judge_with(repeat)});
+    checks.push_back({"WrapRepeat.NegativeIndices", Function::wrap_repeat, ask_negative(repeated), judge_with(repeat)});
 }
 }  // namespace testat

@@ -4,10 +4,13 @@
 #include "compile/symbols.h"
 #include "process/run.h"
 #include "source/definitions.h"
+#include "source/includes.h"
 #include "text.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <sstream>
 
 namespace testat {
 namespace {
@@ -30,10 +33,23 @@ bool is_clang(CompileOptions const& options)
     return options.compiler.find("clang") != std::string::npos;
 }
 
-/// Empty if no header was precompiled for this compiler and standard.
-Arguments precompiled_header(CompileOptions const& options, Installation const& where)
+/// Whether the text includes whatever the precompiled header holds. Otherwise the header would make up for an #include
+/// that the text lacks, and a file would compile here that does not where it is handed in.
+bool may_be_precompiled(Submission const& submission, std::filesystem::path const& header, Installation const& where)
+{
+    std::ostringstream text;
+    text << std::ifstream(header).rdbuf();
+    auto const precompiled = included_headers(text.str(), where.include);
+    auto const included = included_headers(submission.text, where.include);
+    return std::includes(included.begin(), included.end(), precompiled.begin(), precompiled.end());
+}
+
+/// Empty if no header was precompiled for this compiler and standard, or if the upload must do without.
+Arguments precompiled_header(Submission const& submission, CompileOptions const& options, Installation const& where)
 {
     auto const header = where.headers / options.compiler / options.standard / "submission.h";
+    if (!may_be_precompiled(submission, header, where))
+        return {};
     if (is_clang(options)) {
         auto const pch = header.string() + ".pch";
         return std::filesystem::exists(pch) ? Arguments{"-include-pch", pch} : Arguments{};
@@ -109,7 +125,7 @@ std::string describe(std::string const& compiler)
 void run_compiler(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
                   Installation const& where, Build& build)
 {
-    Arguments const header = precompiled_header(options, where);
+    Arguments const header = precompiled_header(submission, options, where);
     Finished compiler = call_compiler(compiler_call(options, where, header), directory);
     if (compiler.exit_code != 0 && !compiler.timed_out && !header.empty())
         compiler = call_compiler(compiler_call(options, where, {}), directory);

@@ -1,6 +1,7 @@
 #include "compile/compile.h"
 #include "text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -21,13 +22,18 @@ std::string read_file(std::filesystem::path const& file, std::uintmax_t size)
     return bytes;
 }
 
-/// Nothing but text may be in a source file; Latin-1 and UTF-8 both count as text.
+bool is_control(char c)
+{
+    return static_cast<unsigned char>(c) < 0x20 && std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos;
+}
+
+/// Latin-1 and UTF-8 both count as text, and a few control characters, which text copied from elsewhere may bring
+/// along; what they mean is for the compiler to say.
 bool is_binary(std::string const& bytes)
 {
-    for (char c : bytes)
-        if (static_cast<unsigned char>(c) < 0x20 && std::strchr("\t\n\v\f\r", c) == nullptr)
-            return true;
-    return bytes.find('\0') != std::string::npos;
+    constexpr double most_controls = 0.01;
+    auto const controls = std::count_if(bytes.begin(), bytes.end(), is_control);
+    return double(controls) > most_controls * double(bytes.size()) || bytes.find('\0') != std::string::npos;
 }
 
 std::optional<std::string> reason_to_refuse(std::string const& bytes)
@@ -57,7 +63,7 @@ Submission read_submission(std::filesystem::path const& file)
         throw UnreadableInput(file.string() + ": " + error.message());
 
     Submission submission;
-    submission.file = clean_text(file.filename().string(), 200);
+    submission.file = one_line(file.filename().string(), 200);
     if (size > largest_hashed) {
         submission.refused = too_large;
         return submission;

@@ -1,7 +1,7 @@
 #include "envelopes/perturbed.h"
 
-#include "probe/slots.h"
 #include <cglib/rt/texture_access.h>
+#include "probe/slots.h"
 
 #include <cglib/rt/intersection_tests.h>
 #include <cglib/rt/object.h>
@@ -78,7 +78,8 @@ glm::vec4 evaluate_trilinear(ImageTexture const* self, glm::vec2 const& uv, glm:
     return rounded(original<FootprintLookup>(Function::evaluate_trilinear)(self, moved_uv(uv), rounded(dudv)));
 }
 
-/// Every level adds its own roundings to those of the finer ones.
+/// Every level adds its own roundings to those of the finer ones; who adds up all texels of level 0 instead makes more,
+/// which grow with the side of a block.
 void create_mipmap(ImageTexture* self)
 {
     original<void(ImageTexture*)>(Function::create_mipmap)(self);
@@ -87,7 +88,7 @@ void create_mipmap(ImageTexture* self)
         for (int y = 0; y < levels[level]->getHeight(); ++y)
             for (int x = 0; x < levels[level]->getWidth(); ++x) {
                 glm::vec4 const mean = levels[level]->getPixel(x, y);
-                levels[level]->setPixel(x, y, moved(mean, float(level)));
+                levels[level]->setPixel(x, y, moved(mean, std::max(float(level), 0.25f * float(1u << level))));
             }
 }
 

@@ -20,11 +20,14 @@ constexpr Term points_term{"Punkten", "points"};
 constexpr Term pass{"60 % erreicht", "60 % reached"};
 constexpr Term fail{"60 % nicht erreicht", "below 60 %"};
 constexpr Term rule{"Regel des Übungsblatts", "rule of the sheet"};
+constexpr Term not_compiled{"was nicht kompiliert, bekommt 0 Punkte", "what does not compile gets 0 points"};
+constexpr Term crashes{"was beim Erzeugen der Bilder abstürzt, bekommt 0 Punkte",
+                       "what crashes while making the pictures gets 0 points"};
 constexpr Term without_rule{"ohne diese Regel", "without this rule"};
 constexpr Term task_term{"Aufgabe", "Task"};
 constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
-constexpr Term detail{"Befund", "finding"};
+constexpr Term expected{"erwartet", "expected"};
 constexpr Term hint{"Hinweis", "hint"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
@@ -123,8 +126,10 @@ private:
              points.at("earned").get<double>(), say(of), points.at("max").get<double>(), say(points_term),
              say(points.at("passed_60_percent").get<bool>() ? pass : fail));
         for (auto const& policy : report_.at("policy").at("applied"))
-            line("  {}: {}; {}: {:.2f}", say(rule), text(policy), say(without_rule),
-                 report_.at("policy").at("earned_without").get<double>());
+            line("  {}",
+                 wrap(fmt::format("{}: {}; {}: {:.2f}", say(rule), say(policy == "crashes" ? crashes : not_compiled),
+                                  say(without_rule), report_.at("policy").at("earned_without").get<double>()),
+                      4));
         if (is_public_only())
             line("  {}", say(public_only));
     }
@@ -196,8 +201,11 @@ private:
             labelled(input, text(worst.at("input")));
             labelled(measured, text(worst.at("measured")));
         }
-        if (!check.at("detail").is_null())
-            labelled(detail, text(check.at("detail")));
+        // A check that ended before its time has measured just that.
+        bool const answered =
+            !check.at("worst_input").is_null() && check.at("worst_input").at("measured") != check.at("detail");
+        if (!check.at("detail").is_null() && answered)
+            labelled(expected, text(check.at("detail")));
         labelled(hint, phrase(check.at("hint")));
     }
 

@@ -97,6 +97,11 @@ TEST(CleanText, IsCleanAfterOnce)
     }
 }
 
+TEST(OneLine, HasNeitherNewlinesNorTabs)
+{
+    EXPECT_EQ(one_line("a\nb\tc\x1b[31m"), "a b c[31m");
+}
+
 TEST(Sha256, MatchesTheStandard)
 {
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");

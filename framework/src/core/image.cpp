@@ -1,6 +1,6 @@
 #include <cglib/core/image.h>
 
-#include "mapped_texels.h"
+#include "packed_texels.h"
 #include "picture_file.h"
 
 #include <algorithm>
@@ -13,32 +13,27 @@ std::vector<glm::vec4> blank(int width, int height)
     cg_assert(width >= 0 && height >= 0);
     return std::vector<glm::vec4>(std::size_t(width) * std::size_t(height), glm::vec4(0.f));
 }
-
-std::vector<glm::vec4> copy(glm::vec4 const* pixels, int width, int height)
-{
-    return std::vector<glm::vec4>(pixels, pixels + std::size_t(width) * std::size_t(height));
-}
 }  // namespace
 
 Image::Image() : data_(nullptr) {}
 
-Image::Image(int width, int height) : width_(width), height_(height), data_(nullptr), pixels_(blank(width, height))
+Image::Image(int width, int height)
+    : width_(width), height_(height), pixels_(blank(width, height)), data_(pixels_.data())
 {
-    data_ = pixels_.data();
 }
 
-Image::Image(std::unique_ptr<MappedTexels> texels)
-    : width_(texels->width()), height_(texels->height()), data_(texels->data()), mapped_(std::move(texels))
+Image::Image(std::shared_ptr<PackedTexels const> texels)
+    : width_(texels->width()), height_(texels->height()), packed_(std::move(texels)), data_(nullptr)
 {
 }
 
 Image::Image(Image const& other)
     : width_(other.width_),
       height_(other.height_),
-      data_(nullptr),
-      pixels_(copy(other.data(), other.width_, other.height_))
+      packed_(other.packed_),
+      pixels_(other.pixels_),
+      data_(pixels_.empty() ? nullptr : pixels_.data())
 {
-    data_ = pixels_.data();
 }
 
 Image::Image(Image&& other) noexcept : data_(nullptr)
@@ -58,7 +53,7 @@ void Image::swap(Image& other) noexcept
     std::swap(height_, other.height_);
     data_ = other.data_.exchange(data_);
     pixels_.swap(other.pixels_);
-    mapped_.swap(other.mapped_);
+    packed_.swap(other.packed_);
 }
 
 Image::~Image() = default;
@@ -83,26 +78,19 @@ void Image::save(std::string const& path, float gamma) const
     write_picture(*this, path, gamma);
 }
 
-std::vector<glm::vec4>& Image::all_pixels() const
+glm::vec4 Image::texel(int i, int j) const
 {
-    if (mapped_)
-        copy_mapped();
-    return pixels_;
+    glm::vec4 const* const pixels = data_.load(std::memory_order_acquire);
+    return pixels || !packed_ ? getPixel(i, j) : packed_->at(index(i, j));
 }
 
-void Image::release()
-{
-    if (mapped_ && pixels_.empty())
-        mapped_->release();
-}
-
-/// The mapping stays in memory: another thread may be reading it.
-void Image::copy_mapped() const
+glm::vec4* Image::unpack() const
 {
     static std::mutex mutex;
     std::lock_guard<std::mutex> const lock(mutex);
-    if (!pixels_.empty())
-        return;
-    pixels_ = copy(mapped_->data(), width_, height_);
-    data_ = pixels_.data();
+    if (packed_ && pixels_.empty()) {
+        pixels_ = packed_->unpack();
+        data_.store(pixels_.data(), std::memory_order_release);
+    }
+    return data_;
 }

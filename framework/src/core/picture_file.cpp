@@ -15,15 +15,6 @@ bool is_png(std::string const& path)
     return path.size() >= extension.size() && std::equal(extension.rbegin(), extension.rend(), path.rbegin(), same);
 }
 
-/// (v/max)^gamma for every v in 0..max.
-std::vector<float> decoding_table(int max, float gamma)
-{
-    std::vector<float> table(std::size_t(max) + 1);
-    for (int v = 0; v <= max; ++v)
-        table[std::size_t(v)] = std::pow(float(v) / float(max), gamma);
-    return table;
-}
-
 /// Both kinds of picture have their top row first; ours have it last.
 template <class Convert>
 Image flipped(int width, int height, Convert const& pixel_at)
@@ -85,6 +76,14 @@ unsigned char quantize(float value, float exponent)
         return 0;
     float const encoded = exponent == 1.f ? value : std::pow(value, exponent);
     return static_cast<unsigned char>(std::lround(std::min(encoded, 1.f) * 255.f));
+}
+
+std::vector<float> decoding_table(int max, float gamma)
+{
+    std::vector<float> table(std::size_t(max) + 1);
+    for (int v = 0; v <= max; ++v)
+        table[std::size_t(v)] = std::pow(float(v) / float(max), gamma);
+    return table;
 }
 
 Image read_picture(std::string const& path, float gamma)

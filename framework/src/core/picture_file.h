@@ -14,3 +14,6 @@ void write_picture(Image const& image, std::string const& path, float gamma);
 
 /// What Image::save makes of one value: 255 max(0, value)^exponent, rounded and clamped; NaN is 0.
 unsigned char quantize(float value, float exponent);
+
+/// (v/max)^gamma for every v in 0..max.
+std::vector<float> decoding_table(int max, float gamma);

@@ -1,6 +1,6 @@
 #include <cglib/rt/asset_library.h>
 
-#include "../core/mapped_texels.h"
+#include "../core/packed_texels.h"
 
 #include <fmt/format.h>
 
@@ -37,9 +37,9 @@ std::string path_of(std::string const& directory, std::string const& stem)
     return std::min_element(files.begin(), files.end())->string();
 }
 
-std::string cache_path(std::string const& directory, std::string const& stem, float gamma)
+std::string cache_path(std::string const& directory, std::string const& stem)
 {
-    return (fs::path(directory) / cache_folder / fmt::format("{}-{}", stem, gamma)).string();
+    return (fs::path(directory) / cache_folder / stem).string();
 }
 }  // namespace
 
@@ -48,19 +48,16 @@ AssetLibrary::AssetLibrary(std::string directory) : directory_(std::move(directo
 std::shared_ptr<Image> AssetLibrary::load(std::string const& stem, float gamma) const
 {
     std::string const path = path_of(directory_, stem);
-    if (auto texels = MappedTexels::open(cache_path(directory_, stem, gamma), path, gamma))
+    if (auto texels = open_texel_cache(cache_path(directory_, stem), path, gamma))
         return std::make_shared<Image>(std::move(texels));
     auto image = std::make_shared<Image>();
     image->load(path, gamma);
     return image;
 }
 
-void AssetLibrary::cache_texels(std::string const& stem, float gamma) const
+void AssetLibrary::cache_texels(std::string const& stem) const
 {
-    std::string const path = path_of(directory_, stem);
-    Image image;
-    image.load(path, gamma);
     std::error_code error;
     fs::create_directories(fs::path(directory_) / cache_folder, error);
-    write_texel_cache(image, cache_path(directory_, stem, gamma), path, gamma);
+    write_texel_cache(cache_path(directory_, stem), path_of(directory_, stem));
 }

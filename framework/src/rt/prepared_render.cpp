@@ -66,7 +66,6 @@ PreparedRender::~PreparedRender() = default;
 
 void PreparedRender::prepare_textures()
 {
-    release_texels();
     for (std::shared_ptr<ImageTexture> const& texture : plan_.surface_textures) {
         preparation_.textures_loaded += load(scene_, texture) ? 1 : 0;
         texture->filter_mode = params_.tex_filter_mode;
@@ -78,16 +77,6 @@ void PreparedRender::prepare_textures()
         preparation_.textures_loaded += load(scene_, plan_.environment_texture) ? 1 : 0;
         plan_.environment_texture->filter_mode = params_.tex_filter_mode == NEAREST ? NEAREST : BILINEAR;
         plan_.environment_texture->wrap_mode = REPEAT;
-    }
-}
-
-void PreparedRender::release_texels() const
-{
-    for (SceneTexture const& entry : scene_.textures) {
-        auto& levels = TextureAccess::levels(*entry.texture);
-        // Where create_mipmap has been at work, it may have changed level 0.
-        if (levels.size() == 1)
-            levels[0]->release();
     }
 }
 

@@ -11,8 +11,6 @@
 
 namespace {
 int const tile_rows = 8;
-/// Texels that one band has looked up are hardly those of the next: they need not fill the memory.
-int const tiles_in_a_band = 4;
 
 /// Calls test(index) for the objects that the ray may meet, as Culling::visit does.
 template <class Test>
@@ -46,14 +44,9 @@ RenderStats render_scene(Scene& scene, RaytracingParameters const& params, Image
     image->setSize(params.width, params.height);
     std::vector<Tile> const tiles = tiles_of(params);
     std::vector<RenderStats> counts(tiles.size());
-    ThreadPool pool(options.threads);
-    for (int first = 0; first < int(tiles.size()); first += tiles_in_a_band) {
-        prepared.release_texels();
-        pool.run(std::min(tiles_in_a_band, int(tiles.size()) - first), [&](int i) {
-            auto const tile = std::size_t(first + i);
-            counts[tile] = prepared.render(tiles[tile], image);
-        });
-    }
+    ThreadPool(options.threads).run(int(tiles.size()), [&](int i) {
+        counts[std::size_t(i)] = prepared.render(tiles[std::size_t(i)], image);
+    });
     RenderStats sum = prepared.preparation();
     for (RenderStats const& count : counts)
         sum += count;

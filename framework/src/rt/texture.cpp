@@ -78,7 +78,7 @@ glm::vec4 ImageTexture::get_texel(int level, int x, int y) const
         return glm::vec4(0.f);
     }
     // Asserts that both are inside.
-    return image.getPixel(x, y);
+    return image.texel(x, y);
 }
 
 void ImageTexture::set_texel(int level, int x, int y, glm::vec4 const& value)

@@ -45,6 +45,17 @@ TEST_F(ReadSubmission, RefusesBinaryFiles)
     EXPECT_EQ(read(std::string("int x;\0", 7)).text, "");
 }
 
+TEST_F(ReadSubmission, LeavesAFewControlCharactersToTheCompiler)
+{
+    EXPECT_FALSE(read("// pasted \x02 from a document\n" + std::string(1000, ' ') + "int x;\n").refused);
+}
+
+TEST_F(ReadSubmission, NamesTheFileOnOneLine)
+{
+    write_file(directory_.path() / "a\nb\x1b[31m.cpp", "int x;\n");
+    EXPECT_EQ(read_submission(directory_.path() / "a\nb\x1b[31m.cpp").file, "a b[31m.cpp");
+}
+
 TEST_F(ReadSubmission, RefusesUtf16)
 {
     EXPECT_TRUE(read(std::string("\xff\xfei\0n\0t\0 \0x\0;\0\n\0", 16)).refused);

@@ -190,5 +190,17 @@ TEST_P(Compiler, GetsNoEscapeSequencesIntoTheReport)
 
 INSTANTIATE_TEST_SUITE_P(Diagnostics, Compiler, testing::ValuesIn(compilers()),
                          [](auto const& p) { return p.param == "g++" ? "gcc" : "clang"; });
+/// The precompiled header must not make up for an #include that is missing.
+TEST(Upload, MustIncludeWhatItUses)
+{
+    std::string text = reference_text();
+    for (std::string const header : {"object", "transform"}) {
+        std::string const line = "#include <cglib/rt/" + header + ".h>\n";
+        ASSERT_NE(text.find(line), std::string::npos);
+        text.erase(text.find(line), line.size());
+    }
+    for (auto const& compiler : compilers())
+        expect_zero(grade_text(text, {"--compiler", compiler}));
+}
 }  // namespace
 }  // namespace testat

@@ -1,6 +1,6 @@
 // The library that stands around a function under test must not hold a working copy of it.
-#include "probe/slots.h"
 #include <cglib/rt/texture_access.h>
+#include "probe/slots.h"
 
 #include <cglib/rt/object.h>
 #include <cglib/rt/raytracing_context.h>

@@ -105,7 +105,7 @@ TEST(ReportToText, SaysWhichPolicyApplies)
     Build build = whole_build();
     build.ok = false;
     Report const report = report_of(example_rubric(), passed_results(example_rubric()), build);
-    EXPECT_TRUE(holds(report_to_text(report, Language::en), {"does_not_compile", "2.00"}));
+    EXPECT_TRUE(holds(report_to_text(report, Language::en), {"does not compile", "2.00"}));
 }
 
 TEST(ReportToText, ShowsPicturesThatDiffer)

@@ -1,6 +1,5 @@
-// verdict: {"loses": {"compute_uv_aabb_size": [1.75, 1.75]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
-// Differences to the first corner instead of a box around all four. GRADING.md says 0.5 to 1, but three of the four
-// checks see it.
+// verdict: {"loses": {"compute_uv_aabb_size": [1.0, 1.0]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// Differences to the first corner instead of a box around all four.
 glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
 {
     glm::vec3 positions[4] = {isect.position, isect.position, isect.position, isect.position};

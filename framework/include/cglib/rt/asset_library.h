@@ -16,9 +16,9 @@ public:
     /// into memory instead, which takes no time. Throws std::runtime_error naming stem and directory if there is none.
     std::shared_ptr<Image> load(std::string const& stem, float gamma) const;
 
-    /// Decodes a picture and keeps its texels beside it, for this gamma. They are no longer used once the picture's
-    /// file has changed. Throws std::runtime_error naming what is missing or cannot be written.
-    void cache_texels(std::string const& stem, float gamma) const;
+    /// Decodes STEM.png, which has 8 bit for each channel, and keeps its texels beside it. They are no longer used once
+    /// the picture's file has changed. Throws std::runtime_error naming what is missing or cannot be written.
+    void cache_texels(std::string const& stem) const;
 
 private:
     std::string directory_;

@@ -30,9 +30,6 @@ public:
     /// for parts that do not overlap. The random numbers of a pixel depend on its position only.
     RenderStats render(Tile const& tile, Image* image) const;
 
-    /// Gives back the memory of texels that can be read again from their files. Not while a part is being rendered.
-    void release_texels() const;
-
     RenderPlan const& plan() const { return plan_; }
     /// What the preparation has loaded and made.
     RenderStats const& preparation() const { return preparation_; }

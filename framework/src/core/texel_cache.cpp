@@ -1,6 +1,5 @@
-#include "mapped_texels.h"
-
-#include <cglib/core/image.h>
+#include "packed_texels.h"
+#include "png.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,23 +8,20 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
 
 namespace {
-/// Texels begin on a page of their own.
-std::size_t const header_bytes = 4096;
 std::int32_t const max_side = 1 << 14;
 
-/// What a cache file was made from. A source of another size or time is another picture.
+/// What a cache file was made from. A source of another size or time is another picture. The texels follow.
 struct Header {
-    char magic[8] = {'t', 'e', 'x', 'e', 'l', 's', '1', 0};
+    char magic[8] = {'t', 'e', 'x', 'e', 'l', 's', '2', 0};
     std::int32_t width = 0;
     std::int32_t height = 0;
-    float gamma = 0.f;
-    std::int32_t padding = 0;
     std::int64_t source_bytes = 0;
     std::int64_t source_seconds = 0;
     std::int64_t source_nanoseconds = 0;
@@ -57,7 +53,7 @@ bool describe_source(std::string const& source, Header* header)
 
 std::size_t file_size(Header const& header)
 {
-    return header_bytes + std::size_t(header.width) * std::size_t(header.height) * sizeof(glm::vec4);
+    return sizeof header + 4 * std::size_t(header.width) * std::size_t(header.height);
 }
 
 bool is_whole(int fd, Header const& header)
@@ -78,56 +74,46 @@ bool read_header(int fd, Header* wanted)
     wanted->height = found.height;
     return std::memcmp(&found, wanted, sizeof found) == 0 && is_whole(fd, found);
 }
+
+/// The bytes behind the header; null if they cannot be mapped.
+std::shared_ptr<unsigned char const> map_texels(int fd, std::size_t size)
+{
+    void* const memory = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
+    if (memory == MAP_FAILED)
+        return nullptr;
+    std::shared_ptr<void> const mapping(memory, [size](void* m) { munmap(m, size); });
+    return {mapping, static_cast<unsigned char const*>(memory) + sizeof(Header)};
+}
 }  // namespace
 
-std::unique_ptr<MappedTexels> MappedTexels::open(std::string const& cache, std::string const& source, float gamma)
+std::shared_ptr<PackedTexels const> open_texel_cache(std::string const& cache, std::string const& source, float gamma)
 {
     Header header;
-    header.gamma = gamma;
     File const file(cache);
     if (file.fd < 0 || !describe_source(source, &header) || !read_header(file.fd, &header))
         return nullptr;
-    std::size_t const size = file_size(header);
-    void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_NORESERVE, file.fd, 0);
-    if (memory == MAP_FAILED)
+    auto texels = map_texels(file.fd, file_size(header));
+    if (!texels)
         return nullptr;
-    return std::unique_ptr<MappedTexels>(new MappedTexels(memory, size, header.width, header.height));
+    return std::make_shared<PackedTexels>(header.width, header.height, std::move(texels), gamma);
 }
 
-MappedTexels::MappedTexels(void* memory, std::size_t size, int width, int height)
-    : memory_(memory), size_(size), width_(width), height_(height)
-{
-}
-
-MappedTexels::~MappedTexels()
-{
-    munmap(memory_, size_);
-}
-
-void MappedTexels::release() const
-{
-    madvise(memory_, size_, MADV_DONTNEED);
-}
-
-glm::vec4* MappedTexels::data() const
-{
-    return reinterpret_cast<glm::vec4*>(static_cast<char*>(memory_) + header_bytes);
-}
-
-void write_texel_cache(Image const& image, std::string const& cache, std::string const& source, float gamma)
+void write_texel_cache(std::string const& cache, std::string const& source)
 {
     Header header;
-    header.width = image.getWidth();
-    header.height = image.getHeight();
-    header.gamma = gamma;
     if (!describe_source(source, &header))
         throw std::runtime_error(fmt::format("cannot read {}: {}", source, std::strerror(errno)));
+    Png const png = read_png(source);
+    if (png.max != 255)
+        throw std::runtime_error(fmt::format("cannot keep {}: it has more than 8 bit for each channel", source));
+    header.width = png.width;
+    header.height = png.height;
     std::string const unfinished = cache + ".new";
     std::ofstream out(unfinished, std::ios::binary);
     out.write(reinterpret_cast<char const*>(&header), sizeof header);
-    out.seekp(std::streamoff(header_bytes));
-    out.write(reinterpret_cast<char const*>(image.getPixels().data()),
-              std::streamsize(file_size(header) - header_bytes));
+    std::size_t const row = 4 * std::size_t(png.width);
+    for (int j = png.height - 1; j >= 0; --j)
+        out.write(reinterpret_cast<char const*>(&png.bytes[std::size_t(j) * row]), std::streamsize(row));
     out.close();
     if (!out || std::rename(unfinished.c_str(), cache.c_str()) != 0)
         throw std::runtime_error(fmt::format("cannot write {}: {}", cache, std::strerror(errno)));

@@ -1,0 +1,200 @@
+#include "source/lexer.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace testat {
+namespace {
+bool starts_name(char c)
+{
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool continues_name(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool is_raw_prefix(std::string_view name)
+{
+    return name == "R" || name == "LR" || name == "uR" || name == "UR" || name == "u8R";
+}
+
+class Lexer {
+public:
+    explicit Lexer(std::string_view text) : text_(text) {}
+
+    Lexed lexed()
+    {
+        while (at_ < text_.size())
+            step();
+        return std::move(lexed_);
+    }
+
+private:
+    bool looking_at(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+
+    void step()
+    {
+        char const c = text_[at_];
+        if (c == '\n' || std::isspace(static_cast<unsigned char>(c)) != 0)
+            skip_space(c);
+        else if (looking_at("//"))
+            skip_line();
+        else if (looking_at("/*"))
+            skip_behind("*/", at_ + 2);
+        else if (c == '#' && line_start_)
+            skip_directive();
+        else
+            significant(c);
+    }
+
+    void significant(char c)
+    {
+        line_start_ = false;
+        if (c == '"' || c == '\'')
+            skip_literal(c);
+        else if (starts_name(c))
+            name();
+        else if (std::isdigit(static_cast<unsigned char>(c)) != 0)
+            skip_number();
+        else
+            add(at_ + 1, false);
+    }
+
+    void skip_space(char c)
+    {
+        line_start_ = line_start_ || c == '\n';
+        ++at_;
+    }
+
+    /// To the end of the line, with continued lines.
+    void skip_line()
+    {
+        while (at_ < text_.size() && text_[at_] != '\n')
+            at_ += looking_at("\\\n") ? 2 : looking_at("\\\r\n") ? 3 : 1;
+    }
+
+    /// A preprocessor line; `#if 0` with all that it leaves out.
+    void skip_directive()
+    {
+        bool const dead = directive() == "if" && argument() == "0";
+        if (!dead)
+            note_directive();
+        skip_line();
+        for (int depth = dead ? 1 : 0; depth > 0 && at_ < text_.size(); skip_line())
+            depth += change_of_depth(depth);
+    }
+
+    void note_directive()
+    {
+        auto const name = directive();
+        if (name == "if" || name == "ifdef" || name == "ifndef")
+            ++conditions_;
+        else if (name == "endif")
+            --conditions_;
+        else if (name == "define" || name == "undef")
+            redefined_ = true;
+        else if (name == "include" && conditions_ == 0 && !redefined_)
+            note_include();
+    }
+
+    /// <name> or "name"
+    void note_include()
+    {
+        std::size_t const open = text_.find_first_not_of(" \t", word_at(at_ + 1).second);
+        if (open == std::string_view::npos || (text_[open] != '<' && text_[open] != '"'))
+            return;
+        std::size_t const close = text_.find_first_of(text_[open] == '<' ? ">\n" : "\"\n", open + 1);
+        if (close != std::string_view::npos && text_[close] != '\n')
+            lexed_.includes.emplace_back(text_.substr(open + 1, close - open - 1));
+    }
+
+    /// At the start of a line: goes to its `#` if it is a directive, and says how it changes the nesting.
+    int change_of_depth(int depth)
+    {
+        at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
+        if (at_ == text_.size() || text_[at_] != '#')
+            return 0;
+        auto const name = directive();
+        bool const alternative = name == "else" || name == "elif";
+        bool const opens = name == "if" || name == "ifdef" || name == "ifndef";
+        return opens ? 1 : name == "endif" || (alternative && depth == 1) ? -1 : 0;
+    }
+
+    /// The word behind `#`, and the one behind that.
+    std::string_view directive() const { return word_at(at_ + 1).first; }
+    std::string_view argument() const { return word_at(word_at(at_ + 1).second).first; }
+
+    std::pair<std::string_view, std::size_t> word_at(std::size_t from) const
+    {
+        while (from < text_.size() && (text_[from] == ' ' || text_[from] == '\t'))
+            ++from;
+        std::size_t end = from;
+        while (end < text_.size() && continues_name(text_[end]))
+            ++end;
+        return {text_.substr(from, end - from), end};
+    }
+
+    void skip_behind(std::string_view mark, std::size_t from)
+    {
+        std::size_t const found = text_.find(mark, std::min(from, text_.size()));
+        at_ = found == std::string_view::npos ? text_.size() : found + mark.size();
+    }
+
+    void skip_literal(char quote)
+    {
+        ++at_;
+        while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n')
+            at_ += text_[at_] == '\\' ? 2 : 1;
+        at_ = std::min(at_ + 1, text_.size());
+    }
+
+    /// Digit separators look like character literals, so numbers are taken whole.
+    void skip_number()
+    {
+        while (at_ < text_.size() && (continues_name(text_[at_]) || text_[at_] == '.' || text_[at_] == '\''))
+            ++at_;
+    }
+
+    void name()
+    {
+        std::size_t end = at_;
+        while (end < text_.size() && continues_name(text_[end]))
+            ++end;
+        if (end < text_.size() && text_[end] == '"' && is_raw_prefix(text_.substr(at_, end - at_)))
+            return skip_raw_string(end + 1);
+        add(end, true);
+    }
+
+    void skip_raw_string(std::size_t delimiter)
+    {
+        std::size_t const open = text_.find('(', delimiter);
+        if (open == std::string_view::npos) {
+            at_ = text_.size();
+            return;
+        }
+        std::string const mark = ")" + std::string(text_.substr(delimiter, open - delimiter)) + "\"";
+        skip_behind(mark, open);
+    }
+
+    void add(std::size_t end, bool identifier)
+    {
+        lexed_.tokens.push_back({at_, end, identifier});
+        at_ = end;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    bool line_start_ = true;
+    int conditions_ = 0;      ///< #if that are open
+    bool redefined_ = false;  ///< a macro has been defined or undefined
+    Lexed lexed_;
+};
+}  // namespace
+
+Lexed lex(std::string_view text)
+{
+    return Lexer(text).lexed();
+}
+}  // namespace testat
