@@ -101,11 +101,6 @@ address_sanitizer() {
 
 # The target thread_tests builds the tests labelled `threads`; nothing else has to be built for them.
 thread_sanitizer() {
-    cmake --preset tsan
-    if ! cmake --build --preset tsan --target help | grep -q '^thread_tests:'; then
-        echo "there is no target thread_tests: nothing to run"
-        return
-    fi
     build tsan --target thread_tests
     tests tsan --label-regex '^threads$' --no-tests=error
 }

@@ -30,7 +30,7 @@ public:
         tasks_.wait();
     }
 
-    void write(std::string const& name, std::shared_ptr<Image const> image, float gamma)
+    void write(std::string const& name, std::shared_ptr<Image const> const& image, float gamma)
     {
         std::string const file = (std::filesystem::path(directory_) / (name + ".png")).string();
         tasks_.run([=] { image->save(file, gamma); });

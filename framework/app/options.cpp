@@ -1,21 +1,15 @@
 #include "options.h"
 
+#include "choices.h"
+
 #include <cglib/core/build_paths.h>
 #include <cglib/rt/scenes.h>
 
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <thread>
 
 namespace {
-std::map<std::string, TextureFilterMode> const filters = {
-    {"nearest", NEAREST}, {"bilinear", BILINEAR}, {"trilinear", TRILINEAR}, {"debugmip", DEBUG_MIP}, {"white", WHITE}};
-std::map<std::string, TextureWrapMode> const wraps = {{"repeat", REPEAT}, {"clamp", CLAMP}, {"zero", ZERO}};
-std::map<std::string, RenderMode> const modes = {{"recursive", RECURSIVE}, {"desaturate", DESATURATE},
-                                                 {"numrays", NUM_RAYS},    {"normal", NORMAL},
-                                                 {"time", TIME},           {"dudv", DUDV}};
-
 int const largest_side = 16384;
 int const most_samples = 4096;
 
@@ -35,9 +29,9 @@ void add_picture_options(CLI::App& app, Options& options)
 {
     RaytracingParameters& params = options.params;
     app.add_option("--scene", options.scene, "What to render")->check(CLI::IsMember(scene_names()));
-    add_choice(app, "--filter", params.tex_filter_mode, filters, "How textures are filtered");
-    add_choice(app, "--wrap", params.tex_wrap_mode, wraps, "What lies outside a texture");
-    add_choice(app, "--mode", params.render_mode, modes, "What a pixel shows");
+    add_choice(app, "--filter", params.tex_filter_mode, filter_choices(), "How textures are filtered");
+    add_choice(app, "--wrap", params.tex_wrap_mode, wrap_choices(), "What lies outside a texture");
+    add_choice(app, "--mode", params.render_mode, mode_choices(), "What a pixel shows");
     app.add_option("--width", params.width, "In pixels")->check(CLI::Range(1, largest_side));
     app.add_option("--height", params.height, "In pixels")->check(CLI::Range(1, largest_side));
     app.add_option("--spp", params.spp, "Samples in each pixel")->check(CLI::Range(1, most_samples));
@@ -55,6 +49,7 @@ void add_other_options(CLI::App& app, Options& options)
                    "The picture's file (default: show the viewer), or the folder of --create_images");
     app.add_option("--threads", options.threads, "Default: as many as the machine has")->check(CLI::Range(1, 256));
     app.add_flag("--stats", options.stats, "Say what each picture took");
+    app.add_option("--drive", options.drive, "For tests: a file of lines that the viewer obeys like a user's hands");
 }
 }  // namespace
 
@@ -77,6 +72,7 @@ Options parse_options(int argc, char** argv)
         // Prints help or what is wrong.
         throw CLI::RuntimeError(app.exit(error) == 0 ? 0 : 2);
     }
+    options.size_is_given = app.count("--width") + app.count("--height") > 0;
     if (wants_list)
         options.action = Options::Action::list;
     else if (wants_images)

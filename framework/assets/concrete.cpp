@@ -9,12 +9,13 @@
 namespace {
 int const size = 512;
 int const num_slabs = 2;
+int const slab_size = size / num_slabs;
 
 /// To the nearest joint between slabs, in texels. Joints lie inside the texture, not at its border.
 float joint_distance(glm::vec2 const& p)
 {
     glm::vec2 const slab = float(num_slabs) * p + 0.5f;
-    glm::vec2 const distance = glm::abs(slab - glm::floor(slab + 0.5f)) * float(size / num_slabs);
+    glm::vec2 const distance = glm::abs(slab - glm::floor(slab + 0.5f)) * float(slab_size);
     return std::min(distance.x, distance.y);
 }
 

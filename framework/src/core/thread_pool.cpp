@@ -1,20 +1,43 @@
 #include <cglib/core/thread_pool.h>
 
+#include "arena.h"
+
 #include <cglib/core/assert.h>
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+#include <atomic>
 
-struct ThreadPool::Arena {
-    explicit Arena(int num_threads)
-        : limit(tbb::global_control::max_allowed_parallelism, std::size_t(num_threads)), threads(num_threads)
+namespace {
+/// What the threads of a run call. oneTBB makes all that happened before run visible to the tasks, and their work to
+/// the caller; here it is said once more, where the thread sanitizer sees it. There are two marks because one would
+/// order the tasks among themselves, and hide their races.
+class Body {
+public:
+    explicit Body(std::function<void(int)> const& task) : task_(task) { begun_.store(true, std::memory_order_release); }
+    ~Body() { static_cast<void>(ended_.load(std::memory_order_acquire)); }
+    Body(Body const&) = delete;
+    Body& operator=(Body const&) = delete;
+
+    static void call(void const* body, int i) { static_cast<Body const*>(body)->run(i); }
+
+private:
+    /// Also after an exception.
+    struct End {
+        ~End() { tasks.fetch_add(1, std::memory_order_release); }
+        std::atomic<int>& tasks;
+    };
+
+    void run(int i) const
     {
+        static_cast<void>(begun_.load(std::memory_order_acquire));
+        End const end{ended_};
+        task_(i);
     }
-    /// Lets there be more threads than processors.
-    tbb::global_control limit;
-    tbb::task_arena threads;
+
+    std::function<void(int)> const& task_;
+    std::atomic<bool> begun_{false};
+    mutable std::atomic<int> ended_{0};
 };
+}  // namespace
 
 ThreadPool::ThreadPool(int num_threads)
 {
@@ -32,5 +55,6 @@ void ThreadPool::run(int count, std::function<void(int)> const& task)
             task(i);
         return;
     }
-    arena_->threads.execute([&] { tbb::parallel_for(0, count, task, tbb::simple_partitioner()); });
+    Body const body(task);
+    arena_->run(count, &Body::call, &body);
 }

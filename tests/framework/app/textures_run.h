@@ -20,12 +20,15 @@ inline std::string contents(std::string const& path)
 /// A program that has run in a folder of its own.
 class TexturesRun {
 public:
-    explicit TexturesRun(std::string const& program) : program_(program) {}
+    /// The launcher is a command that runs the program given behind it.
+    explicit TexturesRun(std::string const& program, std::string const& launcher = "")
+        : command_(launcher + "'" + program + "' ")
+    {
+    }
 
     int exit_code(std::string const& arguments)
     {
-        std::string const command =
-            "cd '" + directory.path() + "' && '" + program_ + "' " + arguments + " > out 2> err";
+        std::string const command = "cd '" + directory.path() + "' && " + command_ + arguments + " > out 2> err";
         int const status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
@@ -43,5 +46,5 @@ public:
     TemporaryDirectory directory;
 
 private:
-    std::string program_;
+    std::string command_;
 };

@@ -19,6 +19,13 @@ public:
     /// Where all rays start, in world space.
     glm::vec3 const& position() const { return position_; }
 
+    /// Unit, in world space: where the centre of the picture looks, what is right in it and what is up.
+    glm::vec3 forward() const { return -camera_to_world_[2]; }
+    /// Like forward.
+    glm::vec3 right() const { return camera_to_world_[0]; }
+    /// Like forward.
+    glm::vec3 up() const { return camera_to_world_[1]; }
+
     /// The direction (not unit, world space) to the image position (x, y) in pixels, (0, 0) being the lower left corner
     /// of the picture and (0.5, 0.5) the centre of its first pixel: (x - w/2, y - h/2, -h/tan(fovy)) in camera space.
     /// Mind that a picture is h high at the distance h/tan(fovy): fovy = 45 degrees is a vertical field of view
