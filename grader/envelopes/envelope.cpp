@@ -45,6 +45,20 @@ Box widened(Box box)
     return box;
 }
 
+/// Where more texels than two take turns, as in the reflection on a ball, renderings do not find all of them: there
+/// everything between them counts.
+constexpr std::size_t most_texels = 2;
+
+Box around(std::vector<Box> const& boxes)
+{
+    Box all = boxes.front();
+    for (auto const& box : boxes) {
+        extend(all, box.lo);
+        extend(all, box.hi);
+    }
+    return all;
+}
+
 constexpr std::uint32_t magic = 0x31766e65;
 
 template <typename T>
@@ -95,8 +109,11 @@ Envelope EnvelopeBuilder::finish(double reference_ms) const
 {
     Envelope envelope{expected_, {0}, {}, reference_ms};
     for (auto const& boxes : pixels_) {
-        for (auto const& box : boxes)
-            envelope.boxes.push_back(widened(box));
+        if (boxes.size() > most_texels)
+            envelope.boxes.push_back(widened(around(boxes)));
+        else
+            for (auto const& box : boxes)
+                envelope.boxes.push_back(widened(box));
         envelope.first.push_back(std::uint32_t(envelope.boxes.size()));
     }
     return envelope;

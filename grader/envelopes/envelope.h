@@ -3,7 +3,8 @@
 
 namespace testat {
 /// What correct solutions may show in a pixel (GRADING.md, section 4): the RGB boxes that renderings of the perturbed
-/// reference fall into. One box where the filter is continuous, up to four where it is nearest and the texel may jump.
+/// reference fall into. One box where the filter is continuous, two where it is nearest and the texel may jump; where
+/// it jumps among more, one around them all.
 struct Box {
     float lo[3];
     float hi[3];

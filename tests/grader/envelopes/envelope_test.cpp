@@ -99,13 +99,13 @@ TEST(Envelope, KeepsClustersApart)
     EXPECT_TRUE(outside(e, 0.5f));
 }
 
-TEST(Envelope, HasFourClustersAtMost)
+TEST(Envelope, IsOneBoxAroundMoreThanTwoTexels)
 {
     Envelope const e = seen(4, {0, 0.2f, 0.4f, 0.6f, 0.62f, 1});
-    EXPECT_EQ(e.boxes.size(), 4u);
-    for (float v : {0.f, 0.2f, 0.4f, 0.6f, 0.62f, 1.f})
+    EXPECT_EQ(e.boxes.size(), 1u);
+    for (float v : {0.f, 0.2f, 0.3f, 0.4f, 0.6f, 0.62f, 1.f})
         EXPECT_FALSE(outside(e, v)) << v;
-    EXPECT_TRUE(outside(e, 0.3f));
+    EXPECT_TRUE(outside(e, 1.6f));
 }
 
 TEST(Envelope, HasOneBoxWhereTheFilterIsContinuous)

@@ -1,6 +1,6 @@
-// verdict: {"loses": {"evaluate_bilinear": [1.75, 1.75]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
-// Conversion to int instead of floor: negative weights below zero. GRADING.md says 1; the plane alone, most of which
-// has negative uv, takes its picture to 0.07: 4 * min(0.875, 1.07 / 2).
+// verdict: {"loses": {"evaluate_bilinear": [1.0, 1.0]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
+// Conversion to int instead of floor: negative weights below zero. Most of the plane has negative uv, the board has none:
+// 4 * min(0.875, 1.53 / 2) is left.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 {
     Image const& image = *mip_levels[level];

@@ -1,5 +1,5 @@
-// verdict: {"loses": {"intersect": [2, 2]}, "says": {"intersect": "crashed"}, "policy": []}
-// SIGSEGV, but only with transform_objects, which no picture of the plane has.
+// verdict: {"loses": {"intersect": [2, 2]}, "says": {"intersect": "crashed"}, "policy": ["crashes"]}
+// SIGSEGV, but only with transform_objects.
 bool Object::intersect(Ray const& ray, Intersection* isect) const
 {
     if (!RaytracingContext::get_active()->params.transform_objects)

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [1, 1]}, "says": {"evaluate_nearest": "crashed"}, "policy": ["crashes"]}
+// verdict: {"loses": {"evaluate_nearest": [0.5, 0.5]}, "says": {"evaluate_nearest": "crashed"}, "policy": ["crashes"]}
 // An assertion that does not hold: uv may be negative.
 glm::vec4 ImageTexture::evaluate_nearest(int level, glm::vec2 const& uv) const
 {

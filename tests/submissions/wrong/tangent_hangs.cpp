@@ -1,5 +1,5 @@
 // verdict: {"loses": {"transform_direction_to_object_space": [2, 2]}, "says": {"transform_direction_to_object_space": "timed_out"}, "policy": []}
-// Normalises step by step until the length is exactly 1, or for ever; no picture of the plane calls it.
+// Normalises step by step until the length is exactly 1, or for ever.
 glm::vec3 transform_direction_to_object_space(glm::vec3 const& d, glm::vec3 const& normal, glm::vec3 const& tangent,
                                               glm::vec3 const& bitangent)
 {
