@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 namespace {
 int const failed = 2;
@@ -78,7 +79,10 @@ int run(Options const& options)
 int main(int argc, char** argv)
 {
     try {
-        return run(parse_options(argc, argv));
+        int const code = run(parse_options(argc, argv));
+        if (std::fflush(stdout) != 0)
+            throw std::runtime_error("what was to be printed could not be written");
+        return code;
     } catch (CLI::RuntimeError const& end) {
         return end.get_exit_code();
     } catch (std::exception const& error) {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <thread>
 
 namespace {
@@ -20,9 +21,30 @@ void add_choice(CLI::App& app, std::string const& name, Enum& value, std::map<st
     std::string list;
     for (auto const& [key, ignored] : names)
         list += (list.empty() ? "" : ", ") + key;
-    app.add_option(name, value, description + ": " + list)
-        ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""))
-        ->type_name("NAME");
+    auto const choose = [&value, &names](std::string const& wanted) {
+        value = names.at(CLI::detail::to_lower(wanted));
+    };
+    auto const is_known = [&names, list](std::string const& wanted) {
+        return names.count(CLI::detail::to_lower(wanted)) > 0 ? std::string() : wanted + " is none of " + list;
+    };
+    app.add_option_function<std::string>(name, choose, description + ": " + list)->check(is_known)->type_name("NAME");
+}
+
+/// A single picture is a PNG: what other writers make of a full disk is not always told.
+void check_output(Options const& options, bool is_folder)
+{
+    if (options.output.empty() || is_folder)
+        return;
+    if (CLI::detail::to_lower(std::filesystem::path(options.output).extension().string()) != ".png")
+        throw CLI::ValidationError("--output", options.output + " does not end in .png");
+}
+
+/// The pictures of the sheet have their own numbers.
+void exclude_picture_options(CLI::App& app, CLI::Option* images)
+{
+    for (char const* name : {"--scene", "--filter", "--wrap", "--mode", "--width", "--height", "--spp", "--stratified",
+                             "--depth", "--normal_mapping", "--no_transforms"})
+        images->excludes(app.get_option(name));
 }
 
 void add_picture_options(CLI::App& app, Options& options)
@@ -61,13 +83,15 @@ Options parse_options(int argc, char** argv)
     options.threads = std::max(1, int(std::thread::hardware_concurrency()));
     bool wants_images = false;
     bool wants_list = false;
-    app.add_flag("--create_images,--create-images", wants_images,
-                 "Write the pictures of the exercise sheet into ./assignment_images");
+    CLI::Option* const images = app.add_flag("--create_images,--create-images", wants_images,
+                                             "Write the pictures of the exercise sheet into ./assignment_images");
     app.add_flag("--list", wants_list, "List scenes and pictures");
     add_picture_options(app, options);
     add_other_options(app, options);
+    exclude_picture_options(app, images);
     try {
         app.parse(argc, argv);
+        check_output(options, wants_images);
     } catch (CLI::ParseError const& error) {
         // Prints help or what is wrong.
         throw CLI::RuntimeError(app.exit(error) == 0 ? 0 : 2);

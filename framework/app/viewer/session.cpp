@@ -6,6 +6,7 @@
 
 #include <cglib/rt/scenes.h>
 
+#include <stdexcept>
 #include <tuple>
 
 namespace viewer {
@@ -84,10 +85,6 @@ bool Session::update(int width, int height)
 
 void Session::save()
 {
-    if (picture_.getWidth() == 0 || !progress_.error.empty()) {
-        message_ = "There is no picture to save.";
-        return;
-    }
     try {
         RaytracingParameters const& p = state.params;
         std::string const file = free_picture_name(state.scene + '_' + name_of(p.tex_filter_mode, filter_choices()) +
@@ -101,6 +98,8 @@ void Session::save()
 
 void Session::save(std::string const& file) const
 {
+    if (picture_.getWidth() == 0 || !progress_.error.empty())
+        throw std::runtime_error("There is no picture to save.");
     exposed(picture_, state.exposure).save(file, state.exposure.gamma);
 }
 

@@ -15,15 +15,14 @@ std::vector<glm::vec4> blank(int width, int height)
 }
 }  // namespace
 
-Image::Image() : data_(nullptr) {}
+Image::Image() : is_packed_(false) {}
 
-Image::Image(int width, int height)
-    : width_(width), height_(height), pixels_(blank(width, height)), data_(pixels_.data())
+Image::Image(int width, int height) : width_(width), height_(height), pixels_(blank(width, height)), is_packed_(false)
 {
 }
 
 Image::Image(std::shared_ptr<PackedTexels const> texels)
-    : width_(texels->width()), height_(texels->height()), packed_(std::move(texels)), data_(nullptr)
+    : width_(texels->width()), height_(texels->height()), packed_(std::move(texels)), is_packed_(true)
 {
 }
 
@@ -32,11 +31,11 @@ Image::Image(Image const& other)
       height_(other.height_),
       packed_(other.packed_),
       pixels_(other.pixels_),
-      data_(pixels_.empty() ? nullptr : pixels_.data())
+      is_packed_(other.is_packed_.load())
 {
 }
 
-Image::Image(Image&& other) noexcept : data_(nullptr)
+Image::Image(Image&& other) noexcept : is_packed_(false)
 {
     swap(other);
 }
@@ -51,7 +50,7 @@ void Image::swap(Image& other) noexcept
 {
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
-    data_ = other.data_.exchange(data_);
+    is_packed_ = other.is_packed_.exchange(is_packed_);
     pixels_.swap(other.pixels_);
     packed_.swap(other.packed_);
 }
@@ -80,17 +79,15 @@ void Image::save(std::string const& path, float gamma) const
 
 glm::vec4 Image::texel(int i, int j) const
 {
-    glm::vec4 const* const pixels = data_.load(std::memory_order_acquire);
-    return pixels || !packed_ ? getPixel(i, j) : packed_->at(index(i, j));
+    return is_packed_.load(std::memory_order_acquire) ? packed_->at(index(i, j)) : pixels_[index(i, j)];
 }
 
-glm::vec4* Image::unpack() const
+void Image::unpack() const
 {
     static std::mutex mutex;
     std::lock_guard<std::mutex> const lock(mutex);
-    if (packed_ && pixels_.empty()) {
-        pixels_ = packed_->unpack();
-        data_.store(pixels_.data(), std::memory_order_release);
-    }
-    return data_;
+    if (!is_packed_)
+        return;
+    pixels_ = packed_->unpack();
+    is_packed_.store(false, std::memory_order_release);
 }

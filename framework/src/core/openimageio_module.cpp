@@ -19,8 +19,10 @@ OIIO::ImageBuf with_four_channels(OIIO::ImageBuf const& picture)
 std::string read(char const* path, ForeignPicture* picture)
 {
     OIIO::ImageBuf file(path);
-    if (!file.read(0, 0, true, OIIO::TypeDesc::FLOAT))
-        return file.geterror();
+    if (!file.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
+        std::string const error = file.geterror();
+        return error.empty() ? "it cannot be read" : error;
+    }
     OIIO::ImageBuf const rgba = with_four_channels(file);
     picture->width = rgba.spec().width;
     picture->height = rgba.spec().height;
@@ -33,7 +35,10 @@ std::string write(char const* path, Bytes const& bytes)
 {
     OIIO::ImageSpec const spec(bytes.width, bytes.height, bytes.channels, OIIO::TypeDesc::UINT8);
     OIIO::ImageBuf const picture(spec, const_cast<unsigned char*>(bytes.values.data()));
-    return picture.write(path) ? std::string() : picture.geterror();
+    if (picture.write(path))
+        return std::string();
+    std::string const error = picture.geterror();
+    return error.empty() ? "it cannot be written in a format of this name" : error;
 }
 }  // namespace
 

@@ -19,18 +19,14 @@ void use_large_pages(void* memory, std::size_t size)
 }
 }  // namespace
 
-PackedTexels::PackedTexels(int width, int height, std::shared_ptr<unsigned char const> rgba, float gamma)
-    : width_(width),
-      height_(height),
-      rgba_(std::move(rgba)),
-      color_(decoding_table(255, gamma)),
-      alpha_(decoding_table(255, 1.f))
+PackedTexels::PackedTexels(std::shared_ptr<TexelBytes const> bytes, float gamma)
+    : bytes_(std::move(bytes)), color_(decoding_table(255, gamma)), alpha_(decoding_table(255, 1.f))
 {
 }
 
 std::vector<glm::vec4> PackedTexels::unpack() const
 {
-    std::size_t const count = std::size_t(width_) * std::size_t(height_);
+    std::size_t const count = std::size_t(width()) * std::size_t(height());
     std::vector<glm::vec4> texels;
     texels.reserve(count);
     use_large_pages(texels.data(), count * sizeof(glm::vec4));

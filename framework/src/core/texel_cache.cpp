@@ -86,7 +86,7 @@ std::shared_ptr<unsigned char const> map_texels(int fd, std::size_t size)
 }
 }  // namespace
 
-std::shared_ptr<PackedTexels const> open_texel_cache(std::string const& cache, std::string const& source, float gamma)
+std::shared_ptr<TexelBytes const> open_texel_cache(std::string const& cache, std::string const& source)
 {
     Header header;
     File const file(cache);
@@ -95,7 +95,22 @@ std::shared_ptr<PackedTexels const> open_texel_cache(std::string const& cache, s
     auto texels = map_texels(file.fd, file_size(header));
     if (!texels)
         return nullptr;
-    return std::make_shared<PackedTexels>(header.width, header.height, std::move(texels), gamma);
+    return std::make_shared<TexelBytes>(TexelBytes{header.width, header.height, std::move(texels)});
+}
+
+std::shared_ptr<TexelBytes const> decode_texels(std::string const& path)
+{
+    Png const png = read_png(path);
+    if (png.max != 255)
+        return nullptr;
+    std::size_t const row = 4 * std::size_t(png.width);
+    auto const flipped = std::make_shared<std::vector<unsigned char>>();
+    flipped->reserve(png.bytes.size());
+    for (int j = png.height - 1; j >= 0; --j) {
+        unsigned char const* const begin = png.bytes.data() + std::size_t(j) * row;
+        flipped->insert(flipped->end(), begin, begin + row);
+    }
+    return std::make_shared<TexelBytes>(TexelBytes{png.width, png.height, {flipped, flipped->data()}});
 }
 
 void write_texel_cache(std::string const& cache, std::string const& source)
@@ -103,17 +118,15 @@ void write_texel_cache(std::string const& cache, std::string const& source)
     Header header;
     if (!describe_source(source, &header))
         throw std::runtime_error(fmt::format("cannot read {}: {}", source, std::strerror(errno)));
-    Png const png = read_png(source);
-    if (png.max != 255)
+    auto const texels = decode_texels(source);
+    if (!texels)
         throw std::runtime_error(fmt::format("cannot keep {}: it has more than 8 bit for each channel", source));
-    header.width = png.width;
-    header.height = png.height;
+    header.width = texels->width;
+    header.height = texels->height;
     std::string const unfinished = cache + ".new";
     std::ofstream out(unfinished, std::ios::binary);
     out.write(reinterpret_cast<char const*>(&header), sizeof header);
-    std::size_t const row = 4 * std::size_t(png.width);
-    for (int j = png.height - 1; j >= 0; --j)
-        out.write(reinterpret_cast<char const*>(&png.bytes[std::size_t(j) * row]), std::streamsize(row));
+    out.write(reinterpret_cast<char const*>(texels->rgba.get()), std::streamsize(file_size(header) - sizeof header));
     out.close();
     if (!out || std::rename(unfinished.c_str(), cache.c_str()) != 0)
         throw std::runtime_error(fmt::format("cannot write {}: {}", cache, std::strerror(errno)));

@@ -25,39 +25,74 @@ std::vector<fs::path> files_with_stem(std::string const& directory, std::string 
     return files;
 }
 
-std::string path_of(std::string const& directory, std::string const& stem)
+std::string png_path(std::string const& directory, std::string const& stem)
 {
-    fs::path const png = fs::path(directory) / (stem + ".png");
-    std::error_code error;
-    if (fs::exists(png, error))
-        return png.string();
-    std::vector<fs::path> const files = files_with_stem(directory, stem);
-    if (files.empty())
-        throw std::runtime_error(fmt::format("there is no texture '{}' in {}", stem, directory));
-    return std::min_element(files.begin(), files.end())->string();
+    return (fs::path(directory) / (stem + ".png")).string();
 }
 
 std::string cache_path(std::string const& directory, std::string const& stem)
 {
     return (fs::path(directory) / cache_folder / stem).string();
 }
+
+/// The first of the files that can be read. Beside a picture there may be a text of the same name.
+std::shared_ptr<Image> load_first(std::vector<fs::path> files, float gamma)
+{
+    std::sort(files.begin(), files.end());
+    std::string problem;
+    for (fs::path const& file : files) {
+        try {
+            auto image = std::make_shared<Image>();
+            image->load(file.string(), gamma);
+            return image;
+        } catch (std::runtime_error const& error) {
+            if (problem.empty())
+                problem = error.what();
+        }
+    }
+    throw std::runtime_error(problem);
+}
 }  // namespace
 
 AssetLibrary::AssetLibrary(std::string directory) : directory_(std::move(directory)) {}
 
-std::shared_ptr<Image> AssetLibrary::load(std::string const& stem, float gamma) const
+AssetLibrary::~AssetLibrary() = default;
+
+std::shared_ptr<Image> AssetLibrary::load(std::string const& stem, float gamma)
 {
-    std::string const path = path_of(directory_, stem);
-    if (auto texels = open_texel_cache(cache_path(directory_, stem), path, gamma))
-        return std::make_shared<Image>(std::move(texels));
-    auto image = std::make_shared<Image>();
-    image->load(path, gamma);
-    return image;
+    if (auto const texels = texels_of(stem))
+        return std::make_shared<Image>(std::make_shared<PackedTexels>(texels, gamma));
+    std::error_code error;
+    std::string const png = png_path(directory_, stem);
+    std::vector<fs::path> files{png};
+    if (!fs::exists(png, error))
+        files = files_with_stem(directory_, stem);
+    if (files.empty())
+        throw std::runtime_error(fmt::format("there is no texture '{}' in {}", stem, directory_));
+    return load_first(files, gamma);
+}
+
+/// Null if there is no PNG of 8 bit.
+std::shared_ptr<TexelBytes const> AssetLibrary::texels_of(std::string const& stem)
+{
+    std::lock_guard<std::mutex> const lock(mutex_);
+    std::shared_ptr<TexelBytes const>& texels = texels_[stem];
+    std::error_code error;
+    std::string const png = png_path(directory_, stem);
+    if (!texels && fs::exists(png, error)) {
+        texels = open_texel_cache(cache_path(directory_, stem), png);
+        if (!texels)
+            texels = decode_texels(png);
+    }
+    return texels;
 }
 
 void AssetLibrary::cache_texels(std::string const& stem) const
 {
+    std::string const png = png_path(directory_, stem);
+    if (!fs::exists(png))
+        throw std::runtime_error(fmt::format("there is no texture '{}' in {}", stem, directory_));
     std::error_code error;
     fs::create_directories(fs::path(directory_) / cache_folder, error);
-    write_texel_cache(cache_path(directory_, stem), path_of(directory_, stem));
+    write_texel_cache(cache_path(directory_, stem), png);
 }

@@ -64,7 +64,9 @@ void Culling::add(Object const& object, glm::mat4 const& to_world, int index, st
     // Written so that NaN ends in the last case.
     if (bounds.is_finite() && c < 1e4f) {
         condition_ = std::max(condition_, c);
-        reach_ = std::max(reach_, farthest(bounds));
+        // Roundings are relative to where things are, in the world and in the object's own space.
+        float const scale = norm(glm::mat3(to_world));
+        reach_ = std::max({reach_, farthest(bounds), scale * farthest(object.geo->bounds(glm::mat4(1.f)))});
         boxes->push_back({bounds, index});
     } else if (plane && to_world == glm::mat4(1.f)) {
         sides_.push_back({plane->center, plane->normal, index});

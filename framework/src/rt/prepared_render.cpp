@@ -66,10 +66,12 @@ PreparedRender::~PreparedRender() = default;
 
 void PreparedRender::prepare_textures()
 {
+    for (SceneTexture const& entry : scene_.textures) {
+        entry.texture->filter_mode = params_.tex_filter_mode;
+        entry.texture->wrap_mode = params_.tex_wrap_mode;
+    }
     for (std::shared_ptr<ImageTexture> const& texture : plan_.surface_textures) {
         preparation_.textures_loaded += load(scene_, texture) ? 1 : 0;
-        texture->filter_mode = params_.tex_filter_mode;
-        texture->wrap_mode = params_.tex_wrap_mode;
         if (plan_.mip_levels)
             preparation_.mip_levels += make_mip_levels(*texture);
     }

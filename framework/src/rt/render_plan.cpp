@@ -61,10 +61,12 @@ RenderPlan plan_render(Scene const& scene, RaytracingParameters const& params)
 {
     bool const mips = filters_mip_levels(params);
     RenderPlan plan;
+    plan.texels = params.tex_filter_mode != WHITE;
     plan.shading = params.render_mode != NORMAL && params.render_mode != DUDV;
     plan.normal_maps = params.normal_mapping && params.render_mode != DUDV &&
                        any_material(scene, [](Material const& m) { return m.has_normal_map(); });
-    plan.surface_textures = looked_up(scene, plan);
+    if (plan.texels)
+        plan.surface_textures = looked_up(scene, plan);
     plan.mip_levels = mips && !plan.surface_textures.empty();
     plan.footprints_shown = mips && params.render_mode == DUDV;
     plan.footprints = plan.mip_levels || plan.footprints_shown;
@@ -85,7 +87,7 @@ bool RenderPlan::needs_footprint(Material const& material) const
 
 bool RenderPlan::needs_uv(Material const& material) const
 {
-    return footprints_shown || (shading && material.is_textured()) || needs_normal_map(material);
+    return footprints_shown || (texels && ((shading && material.is_textured()) || needs_normal_map(material)));
 }
 
 bool RenderPlan::needs_normal_map(Material const& material) const

@@ -2,6 +2,8 @@
 
 #include <cglib/core/assert.h>
 
+#include <algorithm>
+
 namespace {
 glm::vec3 unit_in_plane(glm::vec3 const& direction, glm::vec3 const& normal)
 {
@@ -52,10 +54,26 @@ bool TriangleMesh::meets(int triangle, Ray const& ray, float* t) const
 
 Bounds TriangleMesh::bounds(glm::mat4 const& transform) const
 {
+    if (has_slivers())
+        return Bounds();
     std::vector<glm::vec3> positions;
     for (Vertex const& vertex : vertices_)
         positions.emplace_back(transform * glm::vec4(vertex.position, 1.f));
     return positions.empty() ? Bounds() : Bounds::around(positions.data(), int(positions.size()));
+}
+
+/// Of a triangle a hundred times as long as high, barycentric coordinates in float no longer say who is inside.
+bool TriangleMesh::has_slivers() const
+{
+    float const least_height = 0.01f;
+    for (Triangle const& t : triangles_) {
+        glm::vec3 const ab = corner(t.b).position - corner(t.a).position;
+        glm::vec3 const ac = corner(t.c).position - corner(t.a).position;
+        float const longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(ac - ab, ac - ab)});
+        if (!(glm::length(glm::cross(ab, ac)) >= least_height * longest))
+            return true;
+    }
+    return false;
 }
 
 glm::vec3 TriangleMesh::normal(Triangle const& triangle) const

@@ -29,8 +29,8 @@ TEST(CommandLine, UnknownOptionIsAnError)
 TEST(CommandLine, ValueThatIsNoneIsAnError)
 {
     TexturesRun run(TEXTURES_PROGRAM);
-    for (char const* wrong : {"--scene moon", "--filter cubic", "--wrap 7up", "--mode x", "--width 0", "--height -3",
-                              "--spp 0", "--depth -1", "--threads 0", "--width 1e9", "stray"})
+    for (char const* wrong : {"--scene moon", "--filter cubic", "--filter 1", "--wrap 7up", "--mode x", "--width 0",
+                              "--height -3", "--spp 0", "--depth -1", "--threads 0", "--width 1e9", "stray"})
         EXPECT_EQ(run.exit_code("--output a.png " + std::string(wrong)), 2) << wrong;
 }
 
@@ -40,7 +40,8 @@ TEST(CommandLine, ErrorsNameTheChoices)
     run.exit_code("--output a.png --scene moon");
     EXPECT_NE(run.err().find("pooltable"), std::string::npos);
     run.exit_code("--output a.png --filter cubic");
-    EXPECT_NE(run.err().find("trilinear"), std::string::npos);
+    EXPECT_NE(run.err().find("cubic is none of bilinear, debugmip, nearest, trilinear"), std::string::npos)
+        << run.err();
 }
 
 TEST(CommandLine, ListNamesScenesAndPictures)
@@ -101,6 +102,23 @@ TEST(CommandLine, UnwritableOutputIsAnError)
     TexturesRun run(TEXTURES_PROGRAM);
     EXPECT_EQ(run.exit_code("--output nowhere/a.png"), 2);
     EXPECT_NE(run.err().find("nowhere/a.png"), std::string::npos);
+    for (char const* other : {"a.foo", "a", ".", "a.bmp"}) {
+        EXPECT_EQ(run.exit_code("--output " + std::string(other)), 2) << other;
+        EXPECT_NE(run.err().find(".png"), std::string::npos) << run.err();
+    }
+}
+
+TEST(CommandLine, WhatCannotBePrintedIsAnError)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    EXPECT_EQ(run.exit_code("--list > /dev/full; exit $?; true"), 2);
+}
+
+TEST(CommandLine, PicturesOfTheSheetHaveTheirOwnNumbers)
+{
+    TexturesRun run(TEXTURES_PROGRAM);
+    EXPECT_EQ(run.exit_code("--create_images --width 100"), 2);
+    EXPECT_NE(run.err().find("--width"), std::string::npos);
 }
 
 TEST(CommandLine, MissingTextureIsNamed)

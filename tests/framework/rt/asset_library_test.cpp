@@ -22,7 +22,7 @@ struct Folder {
 
 TEST(AssetLibrary, EachGammaIsAPictureOfItsOwn)
 {
-    Folder const folder;
+    Folder folder;
     EXPECT_GT(folder.library.load("a", 1.f)->getPixel(2, 2).r, folder.library.load("a", 2.2f)->getPixel(2, 2).r);
 }
 
@@ -46,8 +46,8 @@ TEST(AssetLibrary, MissingFolderIsAnError)
 
 TEST(AssetLibrary, CachedTexelsAreThoseOfThePicture)
 {
-    Folder const folder;
-    auto const decoded = folder.library.load("a", 1.f);
+    Folder folder;
+    auto const decoded = AssetLibrary(folder.directory.path()).load("a", 1.f);
     folder.library.cache_texels("a");
     ASSERT_TRUE(std::filesystem::exists(folder.cache()));
     EXPECT_EQ(folder.library.load("a", 1.f)->getPixels(), decoded->getPixels());
@@ -55,7 +55,7 @@ TEST(AssetLibrary, CachedTexelsAreThoseOfThePicture)
 
 TEST(AssetLibrary, CacheIsWhatIsRead)
 {
-    Folder const folder;
+    Folder folder;
     folder.library.cache_texels("a");
     std::fstream file(folder.cache(), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(-4, std::ios::end);  // the last texel
@@ -67,16 +67,16 @@ TEST(AssetLibrary, CacheIsWhatIsRead)
 
 TEST(AssetLibrary, ChangedPictureIsDecodedAgain)
 {
-    Folder const folder;
+    Folder folder;
     folder.library.cache_texels("a");
     numbered_image(5, 4).save(folder.directory.path("a.png"), 1.f);
-    EXPECT_EQ(folder.library.load("a", 1.f)->getWidth(), 5);
+    EXPECT_EQ(AssetLibrary(folder.directory.path()).load("a", 1.f)->getWidth(), 5);
 }
 
 TEST(AssetLibrary, CacheCutShortIsNotUsed)
 {
-    Folder const folder;
-    auto const decoded = folder.library.load("a", 1.f);
+    Folder folder;
+    auto const decoded = AssetLibrary(folder.directory.path()).load("a", 1.f);
     folder.library.cache_texels("a");
     std::filesystem::resize_file(folder.cache(), 70);
     EXPECT_EQ(folder.library.load("a", 1.f)->getPixels(), decoded->getPixels());
@@ -84,7 +84,7 @@ TEST(AssetLibrary, CacheCutShortIsNotUsed)
 
 TEST(AssetLibrary, WritingToATextureLeavesTheCacheAlone)
 {
-    Folder const folder;
+    Folder folder;
     folder.library.cache_texels("a");
     auto const first = folder.library.load("a", 1.f);
     first->setPixel(1, 1, glm::vec4(9.f));
@@ -94,8 +94,10 @@ TEST(AssetLibrary, WritingToATextureLeavesTheCacheAlone)
 
 TEST(AssetLibrary, PackedTexelsCanBeReadCopiedAndMoved)
 {
-    Folder const folder;
-    auto const decoded = folder.library.load("a", 1.f)->getPixels();
+    Folder folder;
+    Image decoded_image;
+    decoded_image.load(folder.directory.path("a.png"), 1.f);
+    auto const decoded = decoded_image.getPixels();
     folder.library.cache_texels("a");
     auto const packed = folder.library.load("a", 1.f);
     EXPECT_EQ(packed->texel(3, 2), decoded[3 + 2 * 4]);
@@ -106,9 +108,28 @@ TEST(AssetLibrary, PackedTexelsCanBeReadCopiedAndMoved)
     EXPECT_EQ(moved.getPixels(), decoded);
 }
 
+TEST(AssetLibrary, PictureIsDecodedOnceForAllGammas)
+{
+    Folder folder;
+    auto const first = folder.library.load("a", 1.f)->getPixels();
+    std::filesystem::remove(folder.directory.path("a.png"));
+    EXPECT_EQ(folder.library.load("a", 1.f)->getPixels(), first);
+    EXPECT_LT(folder.library.load("a", 2.f)->getPixel(2, 2).r, first[2 + 2 * 4].r);
+}
+
+TEST(AssetLibrary, BufferOfPackedTexelsCanBeReplaced)
+{
+    Folder folder;
+    auto const packed = folder.library.load("a", 1.f);
+    std::vector<glm::vec4> other(16, glm::vec4(3.f));
+    packed->getPixels() = std::move(other);
+    EXPECT_EQ(packed->getPixel(2, 1), glm::vec4(3.f));
+    EXPECT_EQ(packed->texel(2, 1), glm::vec4(3.f));
+}
+
 TEST(AssetLibrary, PackedTexelsCanBeWritten)
 {
-    Folder const folder;
+    Folder folder;
     folder.library.cache_texels("a");
     auto const packed = folder.library.load("a", 1.f);
     packed->setPixel(0, 0, glm::vec4(5.f));
@@ -118,6 +139,14 @@ TEST(AssetLibrary, PackedTexelsCanBeWritten)
 }
 
 #ifdef HAS_OPENIMAGEIO
+TEST(AssetLibrary, TextBesideAPictureIsNoPicture)
+{
+    TemporaryDirectory const directory;
+    numbered_image(4, 2).save(directory.path("a.tif"), 1.f);
+    std::ofstream(directory.path("a.credits")) << "painted by nobody";
+    EXPECT_EQ(AssetLibrary(directory.path()).load("a", 1.f)->getHeight(), 2);
+}
+
 TEST(AssetLibrary, OtherFormatsAreFoundByStem)
 {
     TemporaryDirectory const directory;

@@ -36,7 +36,7 @@ std::shared_ptr<Object> random_object(Draws& draws)
     glm::vec3 const center = draws.vector(2.f);
     float const kind = draws.between(0.f, 3.f);
     if (kind < 1.f)
-        object = create_sphere(center, draws.between(0.01f, 3.f));
+        object = create_sphere(draws.coin() ? center : center * 3000.f, draws.between(0.01f, 3.f));
     else if (kind < 2.f)
         object = create_quad(center, draws.direction(), draws.direction() * 2.f, draws.direction() * 3.f);
     else

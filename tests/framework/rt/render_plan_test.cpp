@@ -22,6 +22,14 @@ RenderPlan plan(std::string const& scene, RaytracingParameters const& params)
 }
 }  // namespace
 
+TEST(RenderPlan, WhiteNeedsNoTexture)
+{
+    RenderPlan const p = plan("pooltable", with(WHITE, RECURSIVE));
+    EXPECT_TRUE(p.surface_textures.empty());
+    EXPECT_TRUE(p.environment);
+    EXPECT_TRUE(plan("sphere", with(WHITE, RECURSIVE, true)).surface_textures.empty());
+}
+
 TEST(RenderPlan, OnlyMipFiltersNeedFootprintsAndMipLevels)
 {
     EXPECT_FALSE(plan("plane", with(NEAREST, RECURSIVE)).footprints);

@@ -14,6 +14,8 @@ struct Scene;
 struct RenderPlan {
     /// Hits are shaded: materials are sampled, lights are looked at.
     bool shading = true;
+    /// Textures are looked up. False for a filter that makes all of them white.
+    bool texels = true;
     /// Hits of textured materials need dudv: rays go through the corners of their pixels.
     bool footprints = false;
     /// Every hit needs dudv, textured or not, because dudv is what is shown.

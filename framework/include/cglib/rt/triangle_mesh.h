@@ -25,6 +25,7 @@ public:
 
     /// Sets uv, and primitive_id to the triangle's index, as well.
     bool intersect(Ray const& ray, Intersection* isect) const override;
+    /// Unbounded if a triangle is so thin that hits may be found outside.
     Bounds bounds(glm::mat4 const& transform) const override;
 
     /// Barycentric coordinates (lambda_A, lambda_B, lambda_C) of a point in the plane of a triangle: the areas of the
@@ -42,6 +43,7 @@ public:
 private:
     Vertex const& corner(int index) const { return vertices_[std::size_t(index)]; }
     glm::vec3 normal(Triangle const& triangle) const;
+    bool has_slivers() const;
     bool meets(int triangle, Ray const& ray, float* t) const;
 
     std::vector<Vertex> vertices_;
