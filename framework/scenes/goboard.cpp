@@ -1,9 +1,8 @@
 // The Go board: 82 stones that are spheres flattened by their transforms.
 #include <cglib/rt/scenes.h>
 
+#include "draws.h"
 #include "scene_textures.h"
-
-#include <random>
 
 namespace {
 /// Between two lines of the board.
@@ -31,16 +30,6 @@ char const* const position[lines] = {
     ". . . O O X . . . X . . . O X X X . .",  //
     ". . . O O X . . . . . . . O X . . . .",  //
     ". . . . . . . . . . . . . . . . . . .",  //
-};
-
-/// Uniform in [0, 1).
-class Draws {
-public:
-    float next() { return uniform_(generator_); }
-
-private:
-    std::minstd_rand generator_{1337};
-    std::uniform_real_distribution<float> uniform_{0.f, 1.f};
 };
 
 std::shared_ptr<Material> stone_material(float k_d, float k_r)

@@ -1,12 +1,11 @@
 // The pool table: 15 balls in a triangle, each turned at random.
 #include <cglib/rt/scenes.h>
 
+#include "draws.h"
 #include "scene_textures.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
-
-#include <random>
 
 namespace {
 /// Numbers on the balls, row by row from the tip of the triangle.
@@ -14,16 +13,6 @@ int const order[] = {9, 7, 12, 15, 8, 1, 6, 10, 3, 14, 11, 2, 13, 4, 5};
 int const rows = 5;
 /// Where each row begins, in ball diameters.
 float const row_start[rows] = {0.f, -0.5f, -1.f, -1.5f, -2.f};
-
-/// Uniform in [0, 1).
-class Draws {
-public:
-    float next() { return uniform_(generator_); }
-
-private:
-    std::minstd_rand generator_{1337};
-    std::uniform_real_distribution<float> uniform_{0.f, 1.f};
-};
 
 glm::mat4 random_rotation(Draws& draws)
 {

@@ -1,21 +1,21 @@
 #include <cglib/rt/host_render.h>
 
 namespace {
-/// Seeds of neighbouring pixels must not be neighbours, or their sequences would look alike.
-std::uint32_t seed_of(int x, int y, int width)
-{
-    return (std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x)) * 2654435769u;
-}
-
 void render_row(PixelFunction const& pixel, int y, Image* image)
 {
     ThreadLocalData thread;
     for (int x = 0; x < image->getWidth(); ++x) {
-        thread.set_seed(seed_of(x, y, image->getWidth()));
+        thread.set_seed(pixel_seed(x, y, image->getWidth()));
         image->setPixel(x, y, glm::vec4(pixel(x, y, thread), 1.f));
     }
 }
 }  // namespace
+
+std::uint32_t pixel_seed(int x, int y, int width)
+{
+    // Seeds of neighbouring pixels must not be neighbours, or their sequences would look alike.
+    return (std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x)) * 2654435769u;
+}
 
 void host_render(PixelFunction const& pixel, Image* image)
 {

@@ -2,6 +2,7 @@
 
 #include "culling.h"
 
+#include <cglib/rt/host_render.h>
 #include <cglib/rt/renderer.h>
 #include <cglib/rt/sampling_patterns.h>
 #include <cglib/rt/scene.h>
@@ -10,12 +11,6 @@
 #include <algorithm>
 
 namespace {
-/// Seeds of neighbouring pixels must not be neighbours, or their sequences would look alike.
-std::uint32_t seed_of(int x, int y, int width)
-{
-    return (std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x)) * 2654435769u;
-}
-
 glm::vec3 render_pixel(RaytracingContext& context, int x, int y, ThreadLocalData& thread)
 {
     RaytracingParameters const& params = context.params;
@@ -93,7 +88,7 @@ RenderStats PreparedRender::render(Tile const& tile, Image* image) const
     ThreadLocalData thread;
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) {
-            thread.set_seed(seed_of(x, y, params_.width));
+            thread.set_seed(pixel_seed(x, y, params_.width));
             image->setPixel(x, y, glm::vec4(render_pixel(context, x, y, thread), 1.f));
         }
     return context.stats;

@@ -13,9 +13,12 @@ glm::vec3 trace_camera_ray(RenderData& data, Ray const& ray);
 /// Completes the hit of a camera ray, with its footprint if the plan wants it.
 void complete_camera_hit(RenderData& data, Object& object, Intersection* isect);
 
+/// Whether the ray sees the back of a surface that lets nothing through: then it is black.
+bool is_dark_side(Ray const& ray, Intersection const& isect);
+
 /// The light (linear rgb) that a completed hit sends back along the ray, summed over all lights:
 /// (visible * (k_d max(0, N.L) + k_s max(0, R.V)^n if N.L > 0) + k_a) * power / distance^2.
-/// N is the shading normal. The back of what is not transmissive is black.
+/// N is the shading normal. Nothing from a dark side.
 glm::vec3 phong(RenderData& data, Ray const& ray, Intersection const& isect);
 
 /// What is seen of the environment in a direction (unit): the texture at x = (atan2(z, x) + pi) / 2pi,
