@@ -95,7 +95,7 @@ std::vector<std::string> find_culprits(PictureResult const& result, std::vector<
 Request ask_repaired(CheckResults const& results)
 {
     // Only words depend on these pictures, so they get little time.
-    Request request{{2, 1, 10}, {}, {}};
+    Request request{{2, 1, 10}, FunctionSet(), {}, {}};
     for (auto const& picture : results.pictures) {
         auto const suspected = suspects(results, picture.name);
         if (!needs_explaining(picture) || suspected.empty())

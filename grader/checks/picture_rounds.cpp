@@ -33,6 +33,15 @@ bool may_cull(CheckResults const& results, FunctionSet from_upload, std::string 
     return true;
 }
 
+FunctionSet hanging(CheckResults const& results)
+{
+    FunctionSet found;
+    for (auto const& check : results.checks)
+        if (check.ended == Ended::timed_out)
+            found = found.with(check.function);
+    return found;
+}
+
 std::string isolated_name(std::string const& picture, Function function)
 {
     return "isolated/" + picture + "/" + std::string(info(function).name);
@@ -74,7 +83,7 @@ Group submitted_group(std::string const& picture, bool culling)
 
 Request ask_submitted(Rubric const& rubric, CheckResults const& results, Build const& build)
 {
-    Request request{rubric.limits, {}, {}};
+    Request request{rubric.limits, hanging(results), {}, {}};
     if (build.ok)
         for (auto const& [picture, functions] : pictures_of(rubric))
             request.groups.push_back(submitted_group(picture, may_cull(results, build.written(), picture)));
@@ -103,7 +112,7 @@ void judge_submitted(CheckResults& results, Rubric const& rubric, Build const& b
 
 Request ask_isolated(Rubric const& rubric, CheckResults const& results, Build const& build)
 {
-    Request request{rubric.limits, {}, {}};
+    Request request{rubric.limits, hanging(results), {}, {}};
     for (auto const& picture : results.pictures)
         for (auto const& isolated : picture.isolated)
             if (build.written().has(isolated.function) && must_be_isolated(picture, results, isolated.function))

@@ -35,7 +35,7 @@ std::string hash(Request const& request)
 
 Request unit_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
 {
-    Request request{rubric.limits, make_test_textures(seed), {}};
+    Request request{rubric.limits, FunctionSet(), make_test_textures(seed), {}};
     for (auto const& function : rubric.functions) {
         if (!available.has(function.function))
             continue;

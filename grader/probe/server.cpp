@@ -182,7 +182,8 @@ private:
     {
         bool const again = std::any_of(timed_out_.begin(), timed_out_.end(),
                                        [&](FunctionSet hanging) { return hanging.is_subset_of(group.from_upload); });
-        double const limit = again ? request_.limits.after_timeout_s : request_.limits.group_s;
+        bool const known = request_.hanging.meets(group.from_upload);
+        double const limit = again || known ? request_.limits.after_timeout_s : request_.limits.group_s;
         return std::min(limit, std::max(1.0, left_s(group)));
     }
 

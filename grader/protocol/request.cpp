@@ -128,6 +128,7 @@ std::vector<std::byte> serialize(Request const& request)
 {
     Writer out;
     out.value(request.limits);
+    out.value(request.hanging);
     out.value(std::uint64_t(request.textures.size()));
     for (auto const& texture : request.textures)
         write(out, texture);
@@ -142,6 +143,7 @@ Request parse_request(std::vector<std::byte> const& bytes)
     Reader in(bytes);
     Request request;
     request.limits = in.value<Limits>();
+    request.hanging = in.value<FunctionSet>();
     auto const textures = in.value<std::uint64_t>();
     for (std::uint64_t i = 0; i < textures; ++i)
         request.textures.push_back(read_texture(in));

@@ -45,6 +45,7 @@ struct Limits {
 
 struct Request {
     Limits limits;
+    FunctionSet hanging;  ///< have run into the limit before, in another request
     std::vector<TextureData> textures;
     std::vector<Group> groups;
 };

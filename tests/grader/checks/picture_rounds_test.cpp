@@ -109,6 +109,16 @@ TEST_F(PictureRounds, CullOnlyWhereIntersectIsRightWithoutTransforms)
     EXPECT_FALSE(culling(ask_submitted(rubric_, results_, build_), "submitted/plane_after_c"));
 }
 
+TEST_F(PictureRounds, RememberWhatHasRunIntoTheLimit)
+{
+    EXPECT_EQ(ask_submitted(rubric_, results_, build_).hanging, FunctionSet());
+    find_result(results_, "TangentSpace.LengthIsOne").ended = Ended::timed_out;
+    fail("TangentSpace.LengthIsOne");
+    auto const hanging = FunctionSet::only(Function::transform_direction_to_object_space);
+    EXPECT_EQ(ask_submitted(rubric_, results_, build_).hanging, hanging);
+    EXPECT_EQ(ask_isolated(rubric_, results_, build_).hanging, hanging);
+}
+
 TEST_F(PictureRounds, RepairWhatIsWrongAsSubmitted)
 {
     fail("WrapRepeat.NegativeIndices");

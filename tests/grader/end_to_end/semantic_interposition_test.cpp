@@ -48,7 +48,7 @@ GroupStatus ask(std::string const& compiler, std::string const& flag)
     TemporaryDirectory const place;
     Build built;
     built.library = build(compiler, flag, place.path());
-    Request request{{}, make_test_textures(1), {}};
+    Request request{{}, {}, make_test_textures(1), {}};
     auto const check =
         std::find_if(unit_checks().begin(), unit_checks().end(), [](auto const& c) { return c.name == canary; });
     Random random(1, canary);

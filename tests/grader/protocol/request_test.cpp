@@ -13,12 +13,14 @@ Request example()
 {
     Request request;
     request.limits = {7, 2, 30};
+    request.hanging = FunctionSet::only(Function::intersect);
     request.textures.push_back({1, {{2, 1, {0, 1, 2, 3, 4, 5, 6, 7}}, {1, 1, {8, 9, 10, 11}}}});
     request.textures.push_back({0, {}});
     Group group = make_group(Kind::wrap, std::vector<WrapQuestion>{{-1, 6}, {7, 6}});
     group.name = "WrapRepeat.Example";
     group.from_upload = FunctionSet::only(Function::wrap_repeat);
     group.under_test = Function::wrap_repeat;
+    group.culling = false;
     request.groups = {group, make_group(Kind::lookup, std::vector<LookupQuestion>{})};
     return request;
 }
@@ -31,6 +33,7 @@ void expect_equal(Group const& a, Group const& b)
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.count, b.count);
     EXPECT_EQ(a.words_per_answer, b.words_per_answer);
+    EXPECT_EQ(a.culling, b.culling);
     EXPECT_EQ(a.questions, b.questions);
 }
 
@@ -50,6 +53,7 @@ TEST(Request, ComesBackAsItWas)
     EXPECT_EQ(received.limits.group_s, 7);
     EXPECT_EQ(received.limits.after_timeout_s, 2);
     EXPECT_EQ(received.limits.total_s, 30);
+    EXPECT_EQ(received.hanging, sent.hanging);
     ASSERT_EQ(received.textures.size(), 2u);
     EXPECT_EQ(received.textures[0].wrap_mode, 1u);
     ASSERT_EQ(received.textures[0].levels.size(), 2u);
