@@ -31,6 +31,13 @@ Observations observe_if_any(Build const& build, Request const& request, Installa
     return observations;
 }
 
+using Time = std::chrono::steady_clock::time_point;
+
+double ms_since(Time start)
+{
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// The pipeline.
 Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOptions const& options,
                     Installation const& where)
@@ -38,6 +45,7 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     auto const start = std::chrono::steady_clock::now();
     TemporaryDirectory const workplace;
     Build const build = compile(submission, {options.compiler, rubric.standard}, workplace.path(), where);
+    double const compiled_ms = ms_since(start);
     Questions const questions = make_questions(rubric, build.written(), options.seed);
     double observe_ms = 0;
     auto const answers = [&](Request const& request) { return observe_if_any(build, request, where, observe_ms); };
@@ -46,12 +54,12 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     judge_submitted(results, rubric, build, answers(ask_submitted(rubric, results, build)), where);
     judge_isolated(results, answers(ask_isolated(rubric, results, build)), where);
     explain(results, answers(ask_repaired(results)), where);
+    double const check_ms = ms_since(start) - compiled_ms - observe_ms;
     Grade const grade = score(results, build, rubric, options.lenient);
     write_pictures(results, options.out, where.envelopes);
 
-    double const total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return make_report(submission, build, results, grade, rubric, {rubric.version, questions.sha256, questions.seed},
-                       {build.ms, observe_ms, results.ms, total}, {options.for_tutor});
+                       {build.ms, observe_ms, check_ms, ms_since(start)}, {options.for_tutor});
 }
 
 void make_directory(std::filesystem::path const& directory)

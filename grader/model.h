@@ -140,7 +140,6 @@ inline IsolatedPicture const* worst(PictureResult const& picture)
 struct CheckResults {
     std::vector<CheckResult> checks;
     std::vector<PictureResult> pictures;
-    double ms = 0;
 };
 
 enum class FunctionVerdict { correct, partial, wrong, missing, crashed, timed_out };

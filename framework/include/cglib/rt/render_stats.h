@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 /// What was done for a picture. Sums are the same whatever the number of threads.
 struct RenderStats {
@@ -29,20 +30,19 @@ struct RenderStats {
     RenderStats& operator+=(RenderStats const& other);
 };
 
+/// One of the counts, and what people call it.
+struct RenderCount {
+    char const* name;
+    std::uint64_t RenderStats::*value;
+};
+
+/// All of them, in the order above.
+std::vector<RenderCount> const& render_counts();
+
 /// Calls visit(name, count) for each count, in the order above.
 template <class Visitor>
 void visit_stats(RenderStats const& stats, Visitor const& visit)
 {
-    visit("camera rays", stats.camera_rays);
-    visit("corner rays", stats.corner_rays);
-    visit("shadow rays", stats.shadow_rays);
-    visit("reflected rays", stats.reflected_rays);
-    visit("transmitted rays", stats.transmitted_rays);
-    visit("object tests", stats.object_tests);
-    visit("material samples", stats.material_samples);
-    visit("tangent frames", stats.tangent_frames);
-    visit("normal-map lookups", stats.normal_map_lookups);
-    visit("environment lookups", stats.environment_lookups);
-    visit("mip levels", stats.mip_levels);
-    visit("textures loaded", stats.textures_loaded);
+    for (RenderCount const& count : render_counts())
+        visit(count.name, stats.*count.value);
 }
