@@ -139,6 +139,7 @@ inline IsolatedPicture const* worst(PictureResult const& picture)
 
 struct CheckResults {
     std::vector<CheckResult> checks;
+    std::map<Function, std::string> mistakes;  ///< id of the one mistake that explains what a function answers
     std::vector<PictureResult> pictures;
 };
 

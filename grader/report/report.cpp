@@ -98,20 +98,35 @@ CheckResult const& result_of(CheckResults const& results, RubricCheck const& che
     return found == results.checks.end() ? none : *found;
 }
 
+/// What is said of the mistake that was recognised; null if none was, or the rubric has no words for it.
+Report mistake_part(CheckResults const& results, RubricFunction const& function)
+{
+    auto const named = results.mistakes.find(function.function);
+    if (named == results.mistakes.end())
+        return nullptr;
+    for (auto const& mistake : function.mistakes)
+        if (mistake.id == named->second)
+            return {{"id", mistake.id}, {"de", mistake.text.de}, {"en", mistake.text.en}};
+    return nullptr;
+}
+
 Report function_part(RubricFunction const& function, FunctionGrade const& grade, Build const& build,
                      CheckResults const& results, ReportOptions const& options)
 {
     Report checks = Report::array();
     for (auto const& check : function.checks)
         checks.push_back(check_part(check, result_of(results, check), options));
-    return {{"task", std::string(1, function.task)},
-            {"earned", grade.earned},
-            {"max", grade.max},
-            {"unit", grade.unit},
-            {"picture", grade.picture},
-            {"source", source_part(build, function.function)},
-            {"verdict", verdict_names[static_cast<int>(grade.verdict)]},
-            {"checks", checks}};
+    Report part = {{"task", std::string(1, function.task)},
+                   {"earned", grade.earned},
+                   {"max", grade.max},
+                   {"unit", grade.unit},
+                   {"picture", grade.picture},
+                   {"source", source_part(build, function.function)},
+                   {"verdict", verdict_names[static_cast<int>(grade.verdict)]},
+                   {"checks", checks}};
+    if (Report mistake = mistake_part(results, function); !mistake.is_null())
+        part["mistake"] = std::move(mistake);
+    return part;
 }
 
 Report functions_part(Grade const& grade, Build const& build, CheckResults const& results, Rubric const& rubric,

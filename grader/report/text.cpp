@@ -29,6 +29,7 @@ constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
 constexpr Term hint{"Hinweis", "hint"};
+constexpr Term cause{"Ursache", "cause"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
 constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
@@ -189,12 +190,14 @@ private:
         for (auto const& [name, function] : report_.at("functions").items())
             for (auto const& check : function.at("checks"))
                 if (!check.at("hint").is_null()) {
-                    mistake(name, check);
+                    first_mistake(name, check);
+                    if (function.contains("mistake"))
+                        labelled(cause, phrase(function.at("mistake")));
                     break;
                 }
     }
 
-    void mistake(std::string const& function, Report const& check)
+    void first_mistake(std::string const& function, Report const& check)
     {
         line("\n{}: {}", function, text(check.at("name")));
         if (auto const& worst = check.at("worst_input"); !worst.is_null()) {

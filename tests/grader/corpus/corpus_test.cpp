@@ -1,7 +1,9 @@
 // Every file of the corpus is graded as its first line says:
-//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"}, "policy": [], "prints": []}
+//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"},
+//                "mistake": {"wrap_repeat": "repeat_abs"}, "policy": [], "prints": []}      (on one line)
 // loses: points that functions lose before policy, from and to; every other function has all of its points.
 // says: their words in report.json; every other function is "correct".
+// mistake: how their mistakes are called; no other function's is named.
 // policy: what of the sheet's policies applies; none if it is left out.
 // prints: functions whose checks must say that they print.
 #include "end_to_end/testat_program.h"
@@ -67,6 +69,12 @@ void expect_word(std::string const& name, Json const& function, Json const& says
     EXPECT_EQ(function.at("verdict"), says.value(name, "correct")) << name;
 }
 
+void expect_mistake(std::string const& name, Json const& function, Json const& mistakes)
+{
+    Json const named = function.contains("mistake") ? function.at("mistake").at("id") : Json();
+    EXPECT_EQ(named, mistakes.value(name, Json())) << name;
+}
+
 /// What the policies leave of the points.
 void expect_policy(Json const& report, Json const& policy)
 {
@@ -85,8 +93,8 @@ void expect_printing_is_noted(Json const& function)
 void expect_known_names(Json const& verdict, Json const& report)
 {
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints") << key;
-    for (char const* key : {"loses", "says"}) {
+        EXPECT_TRUE(key == "loses" || key == "says" || key == "mistake" || key == "policy" || key == "prints") << key;
+    for (char const* key : {"loses", "says", "mistake"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
             EXPECT_TRUE(report.at("functions").contains(name)) << name;
@@ -108,6 +116,7 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
     for (auto const& [name, function] : graded.report.at("functions").items()) {
         expect_points(name, function, verdict.at("loses"));
         expect_word(name, function, verdict.value("says", Json::object()));
+        expect_mistake(name, function, verdict.value("mistake", Json::object()));
     }
     for (auto const& name : verdict.value("prints", Json::array()))
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
