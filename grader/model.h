@@ -80,6 +80,7 @@ struct CheckResult {
     Function function{};
     bool passed = false;
     Ended ended = Ended::answered;
+    std::optional<double> error;    ///< of the answer farthest off, in units of what is allowed; if all were given
     std::string detail;             ///< for tutors
     std::optional<Phrase> trouble;  ///< crash, time-out, exception, exit or printing, told to students
     std::optional<Mismatch> mismatch;

@@ -47,6 +47,7 @@ private:
             return stopped(answers, result);
         Verdict const verdict = check_.judge(answers, textures_);
         result.passed = verdict.passed();
+        result.error = verdict.error();
         if (!result.passed)
             mismatch(answers, verdict, result);
     }

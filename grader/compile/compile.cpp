@@ -50,11 +50,11 @@ bool may_be_precompiled(Submission const& submission, std::filesystem::path cons
     return std::includes(included.begin(), included.end(), precompiled.begin(), precompiled.end());
 }
 
-/// Empty if no header was precompiled for this compiler and standard, or if the upload must do without.
+/// Empty if no header was precompiled for this compiler, its standard and its flags, or if the upload must do without.
 Arguments precompiled_header(Submission const& submission, CompileOptions const& options, Installation const& where)
 {
     auto const header = where.headers / options.compiler / options.standard / "submission.h";
-    if (!may_be_precompiled(submission, header, where))
+    if (!options.flags.empty() || !may_be_precompiled(submission, header, where))
         return {};
     if (is_clang(options)) {
         auto const pch = header.string() + ".pch";
@@ -79,6 +79,7 @@ Arguments compiler_call(CompileOptions const& options, Installation const& where
                   is_clang(options) ? "-ferror-limit=20" : "-fmax-errors=20",
                   // #line could make the compiler quote any file of ours.
                   is_clang(options) ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret"});
+    append(call, options.flags);
     append(call, {"-shared", "-fuse-ld=mold", "-Wl,-z,defs", "-Wl,--as-needed", source_name, "-o", library_name,
                   (where.libraries / "libtestat_trampolines.so").string(),
                   (where.libraries / "libtestat_framework.so").string()});

@@ -78,6 +78,7 @@ Report check_part(RubricCheck const& check, CheckResult const& result, ReportOpt
             {"essential", check.essential},
             {"weight", check.weight},
             {"detail", options.for_tutor && !result.detail.empty() ? Report(result.detail) : Report(nullptr)},
+            {"error", options.for_tutor && result.error ? number(*result.error) : Report(nullptr)},
             {"hint", hint_part(check, result)},
             {"worst_input", worst_input_part(result)}};
 }

@@ -1,11 +1,5 @@
-// Every file of the corpus is graded as its first line says:
-//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"},
-//                "mistake": {"wrap_repeat": "repeat_abs"}, "policy": [], "prints": []}      (on one line)
-// loses: points that functions lose before policy, from and to; every other function has all of its points.
-// says: their words in report.json; every other function is "correct".
-// mistake: how their mistakes are called; no other function's is named.
-// policy: what of the sheet's policies applies; none if it is left out.
-// prints: functions whose checks must say that they print.
+// Every file of the corpus is graded as its first line says.
+#include "corpus/verdict.h"
 #include "end_to_end/testat_program.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +9,6 @@
 
 namespace testat {
 namespace {
-std::string const mark = "// verdict: ";
-
 struct Case {
     std::filesystem::path file;
     std::string compiler;
@@ -24,14 +16,14 @@ struct Case {
 
 std::vector<Case> all_cases()
 {
+    std::vector<std::filesystem::path> files = corpus_files("correct");
+    for (auto const& file : corpus_files("wrong"))
+        files.push_back(file);
+    files.push_back(example_file());
     std::vector<Case> cases;
-    for (char const* kind : {"correct", "wrong"})
-        for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::path(TESTAT_CORPUS) / kind))
-            for (auto const& compiler : compilers())
-                cases.push_back({entry.path(), compiler});
-    for (auto const& compiler : compilers())
-        cases.push_back({example_file(), compiler});
-    std::stable_sort(cases.begin(), cases.end(), [](Case const& a, Case const& b) { return a.file < b.file; });
+    for (auto const& file : files)
+        for (auto const& compiler : compilers())
+            cases.push_back({file, compiler});
     return cases;
 }
 
@@ -44,16 +36,6 @@ std::string name_of(testing::TestParamInfo<Case> const& info)
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return name;
-}
-
-Json read_verdict(std::filesystem::path const& file)
-{
-    std::string const text = read_file(file);
-    std::string const line = text.substr(0, text.find('\n'));
-    std::size_t const at = line.find(mark);
-    if (at == std::string::npos)
-        throw std::runtime_error(file.string() + ": line 1 holds no verdict");
-    return Json::parse(line.substr(at + mark.size()));
 }
 
 void expect_points(std::string const& name, Json const& function, Json const& loses)
