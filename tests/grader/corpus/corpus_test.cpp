@@ -4,12 +4,15 @@
 // says: their words in report.json; every other function is "correct".
 // policy: what of the sheet's policies applies; none if it is left out.
 // prints: functions whose checks must say that they print.
+// by_hand: what GRADING's table of mistakes leaves of the points before policy, worked out without the grader.
+// mistake: the id of the mistake that explains a function's answers, {"wrap_repeat": "repeat_abs"}.
 #include "end_to_end/testat_program.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace testat {
 namespace {
@@ -81,12 +84,22 @@ void expect_printing_is_noted(Json const& function)
         EXPECT_NE(check.at("hint").dump().find("prints"), std::string::npos) << check.at("name");
 }
 
+/// The grader and a reader of GRADING's table agree to half a point.
+void expect_points_by_hand(Json const& report, Json const& verdict)
+{
+    if (!verdict.contains("by_hand"))
+        return;
+    double const graded = report.at("policy").at("earned_without");
+    EXPECT_NEAR(graded, verdict.at("by_hand").get<double>(), 0.5);
+}
+
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
+    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake"};
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints") << key;
-    for (char const* key : {"loses", "says"}) {
+        EXPECT_TRUE(keys.count(key) > 0) << key;
+    for (char const* key : {"loses", "says", "mistake"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
             EXPECT_TRUE(report.at("functions").contains(name)) << name;
@@ -111,6 +124,7 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
     }
     for (auto const& name : verdict.value("prints", Json::array()))
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
+    expect_points_by_hand(graded.report, verdict);
     expect_policy(graded.report, verdict.value("policy", Json::array()));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n"
