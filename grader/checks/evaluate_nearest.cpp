@@ -34,6 +34,17 @@ Group ask_inside(Random& random, Textures const& textures, TestTexture texture, 
     return make_group(Kind::lookup, questions);
 }
 
+/// Both coordinates below zero, or one of them and the other inside.
+glm::ivec2 negative_place(Random& random, glm::ivec2 size, int periods)
+{
+    glm::ivec2 place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+    if (random.integer(0, 2) == 0) {
+        int const axis = random.integer(0, 1);
+        place[axis] = random.integer(0, size[axis] - 1);
+    }
+    return place;
+}
+
 Group ask_negative(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
@@ -42,7 +53,7 @@ Group ask_negative(Random& random, Textures const& textures)
         glm::ivec2 const size = level_size(at(textures, texture), 0);
         // Up to three periods away at first, up to |u| = 1e4 towards the end.
         int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;
-        glm::ivec2 const place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+        glm::ivec2 const place = negative_place(random, size, periods);
         questions.push_back(ask_texel(random, texture, 0, size, place, lower_half));
     }
     return make_group(Kind::lookup, questions);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace testat {
 namespace {
@@ -71,11 +72,21 @@ void expect_printing_is_noted(Json const& function)
         EXPECT_NE(check.at("hint").dump().find("prints"), std::string::npos) << check.at("name");
 }
 
+/// The grader and a reader of GRADING's table agree to half a point.
+void expect_points_by_hand(Json const& report, Json const& verdict)
+{
+    if (!verdict.contains("by_hand"))
+        return;
+    double const graded = report.at("policy").at("earned_without");
+    EXPECT_NEAR(graded, verdict.at("by_hand").get<double>(), 0.5);
+}
+
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
+    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake"};
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "mistake" || key == "policy" || key == "prints") << key;
+        EXPECT_TRUE(keys.count(key) > 0) << key;
     for (char const* key : {"loses", "says", "mistake"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
@@ -102,6 +113,7 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
     }
     for (auto const& name : verdict.value("prints", Json::array()))
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
+    expect_points_by_hand(graded.report, verdict);
     expect_policy(graded.report, verdict.value("policy", Json::array()));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n"
