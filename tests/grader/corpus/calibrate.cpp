@@ -1,13 +1,13 @@
 // Grades every correct file of the corpus with both compilers at all their levels of optimisation, and every wrong one
 // with both compilers; says what is graded otherwise than line 1 of the file demands, and how close the closest came.
 #include "corpus/verdict.h"
+#include "progress.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for_each.h>
 #include <CLI/CLI.hpp>
 
-#include <atomic>
 #include <cstdio>
 #include <mutex>
 #include <optional>
@@ -204,11 +204,12 @@ int main(int argc, char** argv)
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, std::size_t(jobs));
     auto const gradings = all_gradings(quick);
     Calibration calibration;
-    std::atomic<std::size_t> done = 0;
+    Progress progress("Gradings", gradings.size());
+    std::mutex mutex;
     tbb::parallel_for_each(gradings, [&](Grading const& grading) {
         grade_one(grading, calibration);
-        if (std::size_t const n = ++done; n % 50 == 0)
-            fmt::print(stderr, "{} of {}\n", n, gradings.size());
+        std::lock_guard const lock(mutex);
+        progress.step(grading.name());
     });
     return calibration.print() ? 0 : 1;
 }
