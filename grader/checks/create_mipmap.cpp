@@ -114,17 +114,6 @@ Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels co
     return {};
 }
 
-Deviation compare_all_sizes(MipLevels const& one, MipLevels const& two, MipLevels const& both)
-{
-    bool const some = both.count > 0 && both.count == both.sizes.size();
-    bool const same = one.count == both.count && two.count == both.count;
-    bool const equal = some && same && one.sizes == both.sizes && two.sizes == both.sizes;
-    return {equal ? 0 : HUGE_VAL,
-            fmt::format("T1: {}, T2: {}, T3: {}", format_sizes(one.sizes), format_sizes(two.sizes),
-                        format_sizes(both.sizes)),
-            "the same sizes"};
-}
-
 /// More than half of the texels of level 0, at least, are different ones.
 Deviation compare_variety(MipLevels const& levels)
 {
@@ -144,7 +133,8 @@ Verdict judge_means(Answers const& answers, Textures const& textures)
     MipLevels const two = read_mip_levels(answers, order[1]);
     MipLevels const both = read_mip_levels(answers, order[2]);
     Verdict verdict;
-    verdict.offer(order[2], compare_all_sizes(one, two, both));
+    for (std::size_t i = 0; i < std::size(means); ++i)
+        verdict.offer(order[i], judge_sizes(read_mip_levels(answers, order[i]), at(textures, means[i])));
     if (verdict.passed())
         verdict.offer(order[2], compare_means(one, two, both));
     if (verdict.passed())
