@@ -1,10 +1,11 @@
-#include "checks/check.h"
 #include "checks/mip_levels.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace testat {
 namespace {
@@ -83,6 +84,63 @@ auto judge(Deviation (*deviation)(MipLevels const&, TextureData const&))
         });
     };
 }
+constexpr TestTexture means[] = {TestTexture::mip_square, TestTexture::unknown_mip, TestTexture::unknown_mip_mean};
+
+/// A texture that is known beforehand, one that is not, and their mean, in any order.
+Group ask_means(Random& random, Textures const& textures)
+{
+    std::vector<TestTexture> asked(std::size(means));
+    auto const order = unknown_order(textures, asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        asked[order[i]] = means[i];
+    return ask(asked)(random, textures);
+}
+
+/// The mean's levels against the mean of the levels, texel by texel. Mistakes are linear, too, and some add up every
+/// texel there is: as many roundings.
+Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels const& both)
+{
+    double const roundings = double(both.texels.size());
+    for (std::size_t i = 0; i < both.texels.size(); ++i) {
+        double const mean = (double(one.texels[i]) + two.texels[i]) / 2;
+        double const bound = roundings * eps * std::abs(mean);
+        if (std::isfinite(mean) && std::abs(both.texels[i] - mean) <= bound)
+            continue;  // most are right: no words for them
+        Deviation d = compare({both.texels[i]}, {mean}, {bound});
+        d.measured = fmt::format("mean of a texel of T1 and T2: {}, of T3: {}", d.expected, d.measured);
+        d.expected = "levels of T3 = mean of the levels of T1 and T2";
+        return d;
+    }
+    return {};
+}
+
+/// More than half of the texels of level 0, at least, are different ones.
+Deviation compare_variety(MipLevels const& levels)
+{
+    std::set<float> different;
+    auto const count = std::size_t(levels.sizes[0].x) * std::size_t(levels.sizes[0].y);
+    for (std::size_t i = 0; i < count; ++i)
+        different.insert(levels.texels[4 * i]);
+    return {2 * different.size() > count ? 0 : HUGE_VAL,
+            fmt::format("{} different values of red in level 0 of {} texels", different.size(), count),
+            "level 0 as it was"};
+}
+
+Verdict judge_means(Answers const& answers, Textures const& textures)
+{
+    auto const order = unknown_order(textures, std::size(means));
+    MipLevels const one = read_mip_levels(answers, order[0]);
+    MipLevels const two = read_mip_levels(answers, order[1]);
+    MipLevels const both = read_mip_levels(answers, order[2]);
+    Verdict verdict;
+    for (std::size_t i = 0; i < std::size(means); ++i)
+        verdict.offer(order[i], judge_sizes(read_mip_levels(answers, order[i]), at(textures, means[i])));
+    if (verdict.passed())
+        verdict.offer(order[2], compare_means(one, two, both));
+    if (verdict.passed())
+        verdict.offer(order[2], compare_variety(both));
+    return verdict;
+}
 }  // namespace
 
 void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
@@ -96,5 +154,6 @@ void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
         ask({TestTexture::mip_pair, TestTexture::mip_wide, TestTexture::mip_high, TestTexture::mip_row,
              TestTexture::mip_column, TestTexture::mip_single}),
         judge(judge_sizes_and_texels));
+    add("LinearInTheTexture", ask_means, judge_means);
 }
 }  // namespace testat

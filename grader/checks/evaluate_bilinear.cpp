@@ -1,4 +1,5 @@
 #include "checks/lookup.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -84,6 +85,28 @@ auto ask_pairs(glm::ivec2 first, glm::ivec2 last)
     };
 }
 
+/// A place between texels, far enough from all places where mistakes jump: borders and centres. In multiples of 2^-10,
+/// so that uv is exact in textures of 32 texels, and is also exact when it is moved.
+double clear_of_jumps(Random& random, int texel)
+{
+    return texel + (random.coin() ? 512 : 0) / 1024.0 + random.integer(102, 410) / 1024.0;
+}
+
+/// Linear in the texture, and moved with it by whole texels. That holds for every fixed mix of neighbours, so for most
+/// mistakes, too.
+MeanOfTextures move_by_texels(Random& random, Textures const& textures)
+{
+    glm::ivec2 const size = level_size(at(textures, TestTexture::unknown), 0);
+    glm::ivec2 const last = size - 2 - texture_shift;
+    glm::dvec2 const st(clear_of_jumps(random, random.integer(1, last.x)),
+                        clear_of_jumps(random, random.integer(1, last.y)));
+    // Of three lookups whose texels differ by 1 at most, two of them with half the weight.
+    double const bound = 2 * (coordinate_error(1, size.x) + coordinate_error(1, size.y) + 10 * eps);
+    return {{ask_at(TestTexture::noise_square, textures, 0, st), ask_at(TestTexture::unknown, textures, 0, st),
+             ask_at(TestTexture::unknown_mean_shifted, textures, 0, st + glm::dvec2(texture_shift))},
+            bound};
+}
+
 Verdict judge_values(Answers const& answers, Textures const& textures)
 {
     return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
@@ -131,5 +154,7 @@ void add_evaluate_bilinear_checks(std::vector<UnitCheck>& checks)
     add("Gradients", ask_pairs({1, 1}, {13, 13}), judge_differences);
     add("GradientsAtTheBorder", ask_pairs({15, 15}, {15, 15}), judge_differences);
     add("NegativeCoordinates", ask_negative, judge_differences);
+    checks.push_back(metamorphic_check("EvaluateBilinear.LinearInTheTexture", Function::evaluate_bilinear, Kind::lookup,
+                                       move_by_texels, compare_mean));
 }
 }  // namespace testat

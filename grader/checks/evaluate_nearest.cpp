@@ -1,4 +1,5 @@
 #include "checks/lookup.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -94,6 +95,19 @@ Verdict judge(Answers const& answers, Textures const& textures)
     });
 }
 
+/// A texel, and its mirror image in the mirrored mean: whatever the lower fractions are, the same texel is meant.
+MeanOfTextures mirror_texel(Random& random, Textures const& textures)
+{
+    glm::ivec2 const size = level_size(at(textures, TestTexture::unknown), 0);
+    glm::ivec2 const place(random.integer(0, size.x - 1), random.integer(0, size.y - 1));
+    auto const ask = [&](TestTexture texture, glm::ivec2 texel) {
+        return ask_texel(random, texture, 0, size, texel, lower_half);
+    };
+    return {{ask(TestTexture::noise_square, place), ask(TestTexture::unknown, place),
+             ask(TestTexture::unknown_mean_mirrored, size - 1 - place)},
+            0};
+}
+
 auto inside(TestTexture texture, int first_level, int last_level, Fractions f)
 {
     return [=](Random& random, Textures const& textures) {
@@ -112,5 +126,7 @@ void add_evaluate_nearest_checks(std::vector<UnitCheck>& checks)
     add("HigherLevels", inside(TestTexture::coded_wide, 1, 5, lower_half));
     add("UpperFractions", inside(TestTexture::coded_square, 0, 0, upper_half));
     add("NegativeCoordinates", ask_negative);
+    checks.push_back(metamorphic_check("EvaluateNearest.MirroredTexture", Function::evaluate_nearest, Kind::lookup,
+                                       mirror_texel, compare_mean));
 }
 }  // namespace testat

@@ -1,5 +1,8 @@
 #include "checks/lookup.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
+
+#include <algorithm>
 
 namespace testat {
 namespace {
@@ -51,6 +54,27 @@ glm::dvec2 beyond(Random& random, int)
     return glm::dvec2(32 * std::exp2(random.uniform(0.05, 10)));
 }
 
+/// A lookup between levels, and its mirror image in the mirrored mean without level 0: there each level is one lower,
+/// and so is T. In multiples of 2^-16, uv is exact when it is mirrored.
+MeanOfTextures mirror_without_level_zero(Random& random, Textures const& textures)
+{
+    glm::dvec2 const uv(random.integer(1, 0xffff) * 0x1p-16, random.integer(1, 0xffff) * 0x1p-16);
+    glm::dvec2 const footprint(std::exp2(random.uniform(1.05, 4.95)));
+    glm::dvec2 const dudv = footprint / glm::dvec2(level_size(at(textures, TestTexture::unknown), 0));
+    MeanOfTextures relation{};
+    constexpr TestTexture which[] = {TestTexture::noise_square, TestTexture::unknown,
+                                     TestTexture::unknown_mean_coarser};
+    for (std::size_t i = 0; i < 3; ++i) {
+        LookupQuestion& q = relation.questions[i];
+        q.texture = static_cast<std::uint32_t>(which[i]);
+        store(i == 2 ? 1.0 - uv : uv, q.uv);
+        store(dudv, q.dudv);
+        glm::dvec4 const b = trilinear(textures[q.texture], dvec2(q.uv), dvec2(q.dudv)).bound;
+        relation.bound += (i == 2 ? 1 : 0.5) * std::max({b.r, b.g, b.b, b.a});
+    }
+    return relation;
+}
+
 Verdict judge(Answers const& answers, Textures const& textures)
 {
     return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
@@ -71,5 +95,7 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     add("NoFootprint", ask({TestTexture::noise_square}, constant(0)));
     add("LastLevel", ask({TestTexture::noise_square}, constant(32)));
     add("BeyondTheLastLevel", ask({TestTexture::noise_square}, beyond));
+    checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
+                                       mirror_without_level_zero, compare_mean));
 }
 }  // namespace testat

@@ -1,9 +1,11 @@
-#include "checks/check.h"
 #include "checks/matrices.h"
+#include "checks/relations.h"
 #include "checks/shapes.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
 
 namespace testat {
 namespace {
@@ -174,20 +176,43 @@ Deviation compare_distance(Answers const& answers, std::uint32_t i, WorldHit con
     return d;
 }
 
-Deviation worst_of(std::initializer_list<Deviation> deviations)
-{
-    Deviation worst;
-    for (auto const& d : deviations)
-        if (!(d.in_bounds <= worst.in_bounds))
-            worst = d;
-    return worst;
-}
-
 Deviation compare_place(Answers const& answers, std::uint32_t i, WorldHit const& right)
 {
     return worst_of({compare_part(answers, i, 2, right.hit.position, right.position_bound, "position"),
                      compare_part(answers, i, 5, right.hit.normal, right.normal_bound, "normal"),
                      compare_part(answers, i, 8, right.hit.normal, right.normal_bound, "geometric_normal")});
+}
+
+/// A scene, and the same moved, rotated and scaled as a whole with its ray.
+struct MovedScene {
+    std::array<IntersectQuestion, 2> questions;
+};
+
+MovedScene move_scene(Random& random, Textures const&)
+{
+    Shape const shape = random_shape(random);
+    glm::dmat4 const transform = random_transform(random);
+    Line const ray = aim(random, shape, random.coin());
+    glm::dmat4 const moved = glm::translate(glm::dmat4(1), random_vector(random, 5)) * random_rotation(random);
+    glm::dmat4 const scaled = glm::scale(moved, glm::dvec3(random.coin() ? 2 : 0.5));
+    return {{make_question(shape, transform, ray), make_question(shape, scaled * transform, ray)}};
+}
+
+/// Rays are no near misses and no grazes, so float hits where double does.
+Deviation compare_hits(Answers const& answers, MovedScene const&, std::array<std::uint32_t, 2> const& places)
+{
+    Deviation deviation = compare_hit(answers, places[1], integer(answers, places[0]) == 1);
+    deviation.measured += ", before it was moved: " + deviation.expected;
+    return deviation;
+}
+
+/// Half of the rays hit, give or take a few.
+Deviation both_hits_and_misses(Answers const& answers, std::vector<std::uint32_t> const& places)
+{
+    auto const hits = std::size_t(
+        std::count_if(places.begin(), places.end(), [&](std::uint32_t place) { return integer(answers, place) == 1; }));
+    bool const both = 8 * hits > places.size() && 8 * hits < 7 * places.size();
+    return {both ? 0 : HUGE_VAL, fmt::format("{} of {} rays hit", hits, places.size()), "hits and misses"};
 }
 
 enum class Judged { hit, distance, place, all };
@@ -218,5 +243,7 @@ void add_intersect_checks(std::vector<UnitCheck>& checks)
     add("DistanceInTheWorld", ask_hit, Judged::distance);
     add("PlaceInTheWorld", ask_hit, Judged::place);
     add("TransformsOff", ask_untransformed, Judged::all);
+    checks.push_back(metamorphic_check("Intersect.MovedScene", Function::intersect, Kind::intersect, move_scene,
+                                       compare_hits, both_hits_and_misses));
 }
 }  // namespace testat
