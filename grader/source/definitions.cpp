@@ -13,7 +13,10 @@ namespace {
 class Parser {
 public:
     explicit Parser(std::string_view text)
-        : text_(text), tokens_(lex(text).tokens), closing_(tokens_.size(), tokens_.empty() ? 0 : tokens_.size() - 1)
+        : text_(text),
+          tokens_(lex(text).tokens),
+          closing_(tokens_.size(), tokens_.empty() ? 0 : tokens_.size() - 1),
+          matched_(tokens_.size(), false)
     {
         match('(', ')');
         match('{', '}');
@@ -29,6 +32,27 @@ public:
                 begin = i + 1;
             } else if (is(i, '{')) {
                 i = closing_[i];
+                begin = i + 1;
+            } else if (is(i, ';')) {
+                begin = i + 1;
+            }
+        }
+        return std::move(found_);
+    }
+
+    std::vector<Definition> recovered()
+    {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (auto found = definition(begin, i)) {
+                begin = cut_at_next(i, *found);
+                found_.push_back(found->first);
+                i = begin - 1;
+            } else if (is(i, '{')) {
+                i = closing_[i];
+                begin = i + 1;
+            } else if (is(i, '}')) {
+                take_surplus(i);
                 begin = i + 1;
             } else if (is(i, ';')) {
                 begin = i + 1;
@@ -58,6 +82,7 @@ private:
                 waiting.push_back(i);
             } else if (is(i, close) && !waiting.empty()) {
                 closing_[waiting.back()] = i;
+                matched_[i] = matched_[waiting.back()] = true;
                 waiting.pop_back();
             }
         }
@@ -79,8 +104,13 @@ private:
 
     static bool is_member(Function function) { return info(function).symbol.substr(0, 3) == "_ZN"; }
 
-    /// The definition whose name is token i, with its last token.
-    std::optional<std::pair<Definition, std::size_t>> definition(std::size_t begin, std::size_t i)
+    struct Head {
+        Function function;
+        std::size_t body;  ///< the opening brace
+    };
+
+    /// What is defined under the name that is token i.
+    std::optional<Head> head(std::size_t i) const
     {
         if (!tokens_[i].identifier || !is(i + 1, '('))
             return std::nullopt;
@@ -92,9 +122,52 @@ private:
             ++body;  // const, noexcept, override
         if (!is(body, '{'))
             return std::nullopt;
-        std::size_t const last = closing_[body];
+        return Head{*function, body};
+    }
+
+    /// The definition whose name is token i, with its last token.
+    std::optional<std::pair<Definition, std::size_t>> definition(std::size_t begin, std::size_t i)
+    {
+        auto const found = head(i);
+        if (!found)
+            return std::nullopt;
+        std::size_t const last = closing_[found->body];
         std::size_t const start = tokens_[begin].begin;
-        return std::pair{Definition{*function, start, tokens_[body].begin, tokens_[last].end, line_of(start)}, last};
+        return std::pair{
+            Definition{found->function, start, tokens_[found->body].begin, tokens_[last].end, line_of(start)}, last};
+    }
+
+    /// Ends the definition whose name is token i where another one begins in it; gives the first token behind it.
+    /// Nothing that compiles has a qualified definition in a function, but a class there may have members of any name.
+    std::size_t cut_at_next(std::size_t i, std::pair<Definition, std::size_t>& found) const
+    {
+        auto& [definition, last] = found;
+        std::size_t const body = head(i)->body;
+        for (std::size_t next = body + 1; next < last; ++next) {
+            auto const inner = head(next);
+            if (!inner || (matched_[body] && !is_member(inner->function)))
+                continue;
+            std::size_t const begin = begin_of_statement(next, body);
+            definition.end = tokens_[begin - 1].end;
+            definition.closed = false;
+            return begin;
+        }
+        return last + 1;
+    }
+
+    /// The first token behind the `;` or brace before token i, but behind token `before`.
+    std::size_t begin_of_statement(std::size_t i, std::size_t before) const
+    {
+        while (i > before + 1 && !is(i - 1, ';') && !is(i - 1, '{') && !is(i - 1, '}'))
+            --i;
+        return i;
+    }
+
+    /// A closing brace that closes nothing belongs to the definition before it.
+    void take_surplus(std::size_t i)
+    {
+        if (!found_.empty() && !matched_[i])
+            found_.back().end = tokens_[i].end;
     }
 
     /// Positions come in ascending order, so every line is counted once.
@@ -109,7 +182,8 @@ private:
     std::string_view text_;
     std::vector<Token> tokens_;
     std::vector<std::size_t> closing_;
-    std::size_t counted_ = 0;  ///< how far lines are counted
+    std::vector<bool> matched_;  ///< parentheses and braces that have a partner
+    std::size_t counted_ = 0;    ///< how far lines are counted
     int line_ = 1;
     std::vector<Definition> found_;
 };
@@ -123,6 +197,11 @@ std::string_view between(std::string_view text, std::size_t begin, std::size_t e
 std::vector<Definition> find_definitions(std::string_view text)
 {
     return Parser(text).definitions();
+}
+
+std::vector<Definition> recover_definitions(std::string_view text)
+{
+    return Parser(text).recovered();
 }
 
 std::string replace_body(std::string_view text, Function function, std::string_view body)
