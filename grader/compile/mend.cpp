@@ -134,6 +134,8 @@ std::string without_line_directives(std::string text)
 std::optional<Mended> mend(std::string const& text, Finished const& failed, std::string const& source,
                            std::string const& shown, CompileText const& compile)
 {
+    if (failed.timed_out || failed.signal != 0)
+        return std::nullopt;
     Mended mended{without_line_directives(text), {}};
     Finished last = mended.text == text ? failed : compile(mended.text);
     while (last.exit_code != 0) {

@@ -20,15 +20,20 @@ public:
     {
         match('(', ')');
         match('{', '}');
+        for (std::size_t i = 0; i < tokens_.size(); ++i)
+            if (is(i, '{') || is(i, ';') || is(i, '}'))
+                stops_.push_back(i);
+        stops_.push_back(tokens_.size());
     }
 
     std::vector<Definition> definitions()
     {
         std::size_t begin = 0;
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (auto const found = definition(begin, i)) {
-                found_.push_back(found->first);
-                i = found->second;
+            if (auto const found = head(i)) {
+                std::size_t const last = closing_[found->body];
+                found_.push_back(define(begin, *found, last));
+                i = last;
                 begin = i + 1;
             } else if (is(i, '{')) {
                 i = closing_[i];
@@ -44,9 +49,8 @@ public:
     {
         std::size_t begin = 0;
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (auto found = definition(begin, i)) {
-                begin = cut_at_next(i, *found);
-                found_.push_back(found->first);
+            if (auto const torn = torn_head(i)) {
+                begin = add_up_to_next(begin, *torn);
                 i = begin - 1;
             } else if (is(i, '{')) {
                 i = closing_[i];
@@ -106,15 +110,19 @@ private:
 
     struct Head {
         Function function;
-        std::size_t body;  ///< the opening brace
+        std::size_t body;  ///< token of the opening brace
     };
+
+    /// Which of the eleven is defined, declared or called with the name that is token i.
+    std::optional<Function> named_before_parenthesis(std::size_t i) const
+    {
+        return tokens_[i].identifier && is(i + 1, '(') ? named(i) : std::nullopt;
+    }
 
     /// What is defined under the name that is token i.
     std::optional<Head> head(std::size_t i) const
     {
-        if (!tokens_[i].identifier || !is(i + 1, '('))
-            return std::nullopt;
-        auto const function = named(i);
+        auto const function = named_before_parenthesis(i);
         if (!function)
             return std::nullopt;
         std::size_t body = closing_[i + 1] + 1;
@@ -125,34 +133,43 @@ private:
         return Head{*function, body};
     }
 
-    /// The definition whose name is token i, with its last token.
-    std::optional<std::pair<Definition, std::size_t>> definition(std::size_t begin, std::size_t i)
+    /// The same where a parenthesis or the brace may be missing: `body` is then the last token that can belong to the
+    /// head.
+    std::optional<Head> torn_head(std::size_t i) const
     {
-        auto const found = head(i);
-        if (!found)
+        if (auto const whole = head(i))
+            return whole;
+        auto const function = named_before_parenthesis(i);
+        if (!function || is(closing_[i + 1] + 1, ';'))
             return std::nullopt;
-        std::size_t const last = closing_[found->body];
-        std::size_t const start = tokens_[begin].begin;
-        return std::pair{
-            Definition{found->function, start, tokens_[found->body].begin, tokens_[last].end, line_of(start)}, last};
+        std::size_t const stop = *std::lower_bound(stops_.begin(), stops_.end(), i);
+        if (stop == tokens_.size() || is(stop, '}'))
+            return std::nullopt;
+        return Head{*function, is(stop, '{') ? stop : std::min(stop, closing_[i + 1])};
     }
 
-    /// Ends the definition whose name is token i where another one begins in it; gives the first token behind it.
-    /// Nothing that compiles has a qualified definition in a function, but a class there may have members of any name.
-    std::size_t cut_at_next(std::size_t i, std::pair<Definition, std::size_t>& found) const
+    Definition define(std::size_t begin, Head const& head, std::size_t last)
     {
-        auto& [definition, last] = found;
-        std::size_t const body = head(i)->body;
-        for (std::size_t next = body + 1; next < last; ++next) {
-            auto const inner = head(next);
-            if (!inner || (matched_[body] && !is_member(inner->function)))
-                continue;
-            std::size_t const begin = begin_of_statement(next, body);
-            definition.end = tokens_[begin - 1].end;
-            definition.closed = false;
-            return begin;
+        std::size_t const start = tokens_[begin].begin;
+        return {head.function, start, tokens_[head.body].begin, tokens_[last].end, line_of(start)};
+    }
+
+    /// Adds the definition, up to where another one begins in it; gives the first token behind it. Nothing that
+    /// compiles has a qualified definition in a function, but a class there may have members of any name.
+    std::size_t add_up_to_next(std::size_t begin, Head const& head)
+    {
+        std::size_t const last = is(head.body, '{') ? closing_[head.body] : head.body;
+        std::size_t end = last + 1;
+        for (std::size_t next = head.body + 1; next < last && end > last; ++next) {
+            auto const inner = this->head(next);
+            if (inner && (!matched_[head.body] || is_member(inner->function)))
+                end = begin_of_statement(next, head.body);
         }
-        return last + 1;
+        found_.push_back(define(begin, head, end - 1));
+        found_.back().closed = end > last;
+        if (end > last && is(head.body, '{') && !matched_[head.body])
+            found_.back().end = text_.size();
+        return end;
     }
 
     /// The first token behind the `;` or brace before token i, but behind token `before`.
@@ -182,8 +199,9 @@ private:
     std::string_view text_;
     std::vector<Token> tokens_;
     std::vector<std::size_t> closing_;
-    std::vector<bool> matched_;  ///< parentheses and braces that have a partner
-    std::size_t counted_ = 0;    ///< how far lines are counted
+    std::vector<bool> matched_;       ///< parentheses and braces that have a partner
+    std::vector<std::size_t> stops_;  ///< braces and semicolons, and the end of all tokens
+    std::size_t counted_ = 0;         ///< how far lines are counted
     int line_ = 1;
     std::vector<Definition> found_;
 };

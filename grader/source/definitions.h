@@ -21,9 +21,9 @@ struct Definition {
 /// that is not C++ gives what can be recognised and never fails.
 std::vector<Definition> find_definitions(std::string_view text);
 
-/// The same for text whose braces do not match: a function without its closing brace ends where the next of the eleven
-/// begins, one with a closing brace too many at the last of them. Says the same of text that compiles, unless a class
-/// in one of the functions has a member of the same name as another.
+/// The same for text that does not compile because of its braces: a function without its closing brace ends where the
+/// next of the eleven begins, one with a closing brace too many at the last of them. One whose opening brace is
+/// missing, or the parenthesis behind its parameters, is found, too; `body` may be no brace then.
 std::vector<Definition> recover_definitions(std::string_view text);
 
 /// The text with the body of `function` replaced; unchanged if it is not defined there.
