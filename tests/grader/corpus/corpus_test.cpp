@@ -4,54 +4,16 @@
 // says: their words in report.json; every other function is "correct".
 // policy: what of the sheet's policies applies; none if it is left out.
 // prints: functions whose checks must say that they print.
-#include "end_to_end/testat_program.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cctype>
+#include "corpus/uploads.h"
 
 namespace testat {
 namespace {
-std::string const mark = "// verdict: ";
-
-struct Case {
-    std::filesystem::path file;
-    std::string compiler;
-};
-
 std::vector<Case> all_cases()
 {
-    std::vector<Case> cases;
-    for (char const* kind : {"correct", "wrong"})
-        for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::path(TESTAT_CORPUS) / kind))
-            for (auto const& compiler : compilers())
-                cases.push_back({entry.path(), compiler});
+    std::vector<Case> cases = cases_in({"correct", "wrong"});
     for (auto const& compiler : compilers())
         cases.push_back({example_file(), compiler});
-    std::stable_sort(cases.begin(), cases.end(), [](Case const& a, Case const& b) { return a.file < b.file; });
     return cases;
-}
-
-/// "wrong_repeat_abs_clang"
-std::string name_of(testing::TestParamInfo<Case> const& info)
-{
-    std::string const compiler = info.param.compiler == "g++" ? "gcc" : "clang";
-    std::string name =
-        info.param.file.parent_path().filename().string() + "_" + info.param.file.stem().string() + "_" + compiler;
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-}
-
-Json read_verdict(std::filesystem::path const& file)
-{
-    std::string const text = read_file(file);
-    std::string const line = text.substr(0, text.find('\n'));
-    std::size_t const at = line.find(mark);
-    if (at == std::string::npos)
-        throw std::runtime_error(file.string() + ": line 1 holds no verdict");
-    return Json::parse(line.substr(at + mark.size()));
 }
 
 void expect_points(std::string const& name, Json const& function, Json const& loses)
