@@ -41,7 +41,7 @@ constexpr Term broken_functions{
     "The file does not compile or link. The first error of each function that is to blame:"};
 constexpr Term line_term{"Zeile", "line"};
 constexpr Term broken{"kompiliert nicht", "does not compile"};
-constexpr Term unofficially{"inoffiziell, ohne diese Funktionen", "unofficially, without these functions"};
+constexpr Term unofficially{"inoffiziell für das, was kompiliert", "unofficially, for what compiles"};
 constexpr Term unofficial_table{
     "Inoffiziell: was die Funktionen, die kompilieren, einbringen würden. Das zählt erst, wenn die ganze Datei "
     "kompiliert.",
