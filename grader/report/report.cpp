@@ -142,6 +142,28 @@ Report functions_part(Grade const& grade, Build const& build, CheckResults const
     return functions;
 }
 
+/// What the functions that compile would earn, and why the others do not.
+Report unofficial_part(Grade const& grade, Build const& build)
+{
+    double earned = 0;
+    double max = 0;
+    Report functions = Report::object();
+    for (auto const& function : grade.unofficial) {
+        earned += function.earned;
+        max += function.max;
+        functions[std::string(info(function.function).name)] = {
+            {"earned", function.earned},
+            {"max", function.max},
+            {"unit", function.unit},
+            {"picture", function.picture},
+            {"verdict", verdict_names[static_cast<int>(function.verdict)]}};
+    }
+    Report broken = Report::object();
+    for (auto const& [function, error] : build.broken)
+        broken[std::string(info(function).name)] = {{"line", error.line}, {"message", error.message}};
+    return {{"earned", earned}, {"max", max}, {"functions", functions}, {"broken", broken}};
+}
+
 Report tasks_part(Grade const& grade, Rubric const& rubric)
 {
     Report tasks = Report::array();
@@ -216,18 +238,21 @@ Report timing_part(Timing const& timing)
 Report make_report(Submission const& submission, Build const& build, CheckResults const& results, Grade const& grade,
                    Rubric const& rubric, TestSet const& test_set, Timing const& timing, ReportOptions const& options)
 {
-    return {{"schema_version", 1},
-            {"status", "graded"},
-            {"submission", submission_part(submission)},
-            {"test_set", test_set_part(test_set)},
-            {"build", build_part(build)},
-            {"points", points_part(grade)},
-            {"policy", policy_part(grade)},
-            {"functions", functions_part(grade, build, results, rubric, options)},
-            {"tasks", tasks_part(grade, rubric)},
-            {"pictures", pictures_part(results)},
-            {"run_time", run_time_part(results)},
-            {"timing", timing_part(timing)}};
+    Report report = {{"schema_version", 1},
+                     {"status", "graded"},
+                     {"submission", submission_part(submission)},
+                     {"test_set", test_set_part(test_set)},
+                     {"build", build_part(build)},
+                     {"points", points_part(grade)},
+                     {"policy", policy_part(grade)},
+                     {"functions", functions_part(grade, build, results, rubric, options)},
+                     {"tasks", tasks_part(grade, rubric)},
+                     {"pictures", pictures_part(results)},
+                     {"run_time", run_time_part(results)},
+                     {"timing", timing_part(timing)}};
+    if (!grade.unofficial.empty())
+        report["unofficial"] = unofficial_part(grade, build);
+    return report;
 }
 
 Report make_not_gradable(Submission const& submission, TestSet const& test_set, std::string const& error)

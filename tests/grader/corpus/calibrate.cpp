@@ -1,6 +1,6 @@
 // Grades every correct file of the corpus with both compilers at all their levels of optimisation, and every wrong one
 // with both compilers; says what is graded otherwise than line 1 of the file demands, and how close the closest came.
-#include "corpus/verdict.h"
+#include "corpus/uploads.h"
 #include "progress.h"
 
 #include <fmt/format.h>
@@ -16,12 +16,11 @@ namespace {
 using namespace testat;
 
 struct Grading {
-    std::filesystem::path file;
+    Case upload;
     bool correct = false;
-    std::string compiler;
     std::string flags;  ///< "-O3,-march=native"; empty: as uploads are compiled
 
-    std::string name() const { return fmt::format("{} ({} {})", file.stem().string(), compiler, flags); }
+    std::string name() const { return fmt::format("{} ({} {})", upload.file.stem().string(), upload.compiler, flags); }
 };
 
 std::vector<Grading> all_gradings(bool quick)
@@ -31,13 +30,11 @@ std::vector<Grading> all_gradings(bool quick)
         levels.insert(levels.end(), {"-O0", "-O2", "-O3", "-O3,-march=native,-ffp-contract=off",
                                      "-O3,-march=native,-ffp-contract=fast"});
     std::vector<Grading> all;
-    for (auto const& file : corpus_files("correct"))
-        for (auto const& compiler : compilers())
-            for (auto const& flags : levels)
-                all.push_back({file, true, compiler, flags});
-    for (auto const& file : corpus_files("wrong"))
-        for (auto const& compiler : compilers())
-            all.push_back({file, false, compiler, ""});
+    for (auto const& upload : cases_in({"correct"}))
+        for (auto const& flags : levels)
+            all.push_back({upload, true, flags});
+    for (auto const& upload : cases_in({"wrong"}))
+        all.push_back({upload, false, ""});
     return all;
 }
 
@@ -88,7 +85,7 @@ public:
     void add(Grading const& grading, Json const& report)
     {
         std::lock_guard const lock(mutex_);
-        Json const verdict = read_verdict(grading.file);
+        Json const verdict = read_verdict(grading.upload.file);
         compare_points(grading, report, verdict);
         compare_names(grading, report, verdict);
         if (grading.correct)
@@ -181,10 +178,10 @@ private:
 void grade_one(Grading const& grading, Calibration& calibration)
 {
     TemporaryDirectory const place;
-    std::vector<std::string> arguments{"--compiler", grading.compiler};
+    std::vector<std::string> arguments{"--compiler", grading.upload.compiler};
     if (!grading.flags.empty())
         arguments.push_back("--compiler-flags=" + grading.flags);
-    Graded const graded = grade_file(grading.file, place.path(), arguments);
+    Graded const graded = grade_file(grading.upload.file, place.path(), arguments);
     if (graded.exit_code == 0 && graded.report.value("status", "") == "graded")
         calibration.add(grading, graded.report);
     else

@@ -1,42 +1,16 @@
 // Every file of the corpus is graded as its first line says.
-#include "corpus/verdict.h"
-#include "end_to_end/testat_program.h"
+#include "corpus/uploads.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace testat {
 namespace {
-struct Case {
-    std::filesystem::path file;
-    std::string compiler;
-};
-
 std::vector<Case> all_cases()
 {
-    std::vector<std::filesystem::path> files = corpus_files("correct");
-    for (auto const& file : corpus_files("wrong"))
-        files.push_back(file);
-    files.push_back(example_file());
-    std::vector<Case> cases;
-    for (auto const& file : files)
-        for (auto const& compiler : compilers())
-            cases.push_back({file, compiler});
+    std::vector<Case> cases = cases_in({"correct", "wrong"});
+    for (auto const& compiler : compilers())
+        cases.push_back({example_file(), compiler});
     return cases;
-}
-
-/// "wrong_repeat_abs_clang"
-std::string name_of(testing::TestParamInfo<Case> const& info)
-{
-    std::string const compiler = info.param.compiler == "g++" ? "gcc" : "clang";
-    std::string name =
-        info.param.file.parent_path().filename().string() + "_" + info.param.file.stem().string() + "_" + compiler;
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
 }
 
 void expect_points(std::string const& name, Json const& function, Json const& loses)
