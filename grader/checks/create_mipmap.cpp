@@ -84,14 +84,15 @@ auto judge(Deviation (*deviation)(MipLevels const&, TextureData const&))
         });
     };
 }
-constexpr TestTexture means[] = {TestTexture::mip_square, TestTexture::unknown_mip, TestTexture::unknown_mip_mean};
+
+constexpr std::array means = {TestTexture::mip_square, TestTexture::unknown_mip, TestTexture::unknown_mip_mean};
 
 /// A texture that is known beforehand, one that is not, and their mean, in any order.
 Group ask_means(Random& random, Textures const& textures)
 {
-    std::vector<TestTexture> asked(std::size(means));
-    auto const order = unknown_order(textures, asked.size());
-    for (std::size_t i = 0; i < asked.size(); ++i)
+    auto const order = unknown_order(textures, means.size());
+    std::vector<TestTexture> asked(means.size());
+    for (std::size_t i = 0; i < means.size(); ++i)
         asked[order[i]] = means[i];
     return ask(asked)(random, textures);
 }
@@ -128,12 +129,12 @@ Deviation compare_variety(MipLevels const& levels)
 
 Verdict judge_means(Answers const& answers, Textures const& textures)
 {
-    auto const order = unknown_order(textures, std::size(means));
+    auto const order = unknown_order(textures, means.size());
     MipLevels const one = read_mip_levels(answers, order[0]);
     MipLevels const two = read_mip_levels(answers, order[1]);
     MipLevels const both = read_mip_levels(answers, order[2]);
     Verdict verdict;
-    for (std::size_t i = 0; i < std::size(means); ++i)
+    for (std::size_t i = 0; i < means.size(); ++i)
         verdict.offer(order[i], judge_sizes(read_mip_levels(answers, order[i]), at(textures, means[i])));
     if (verdict.passed())
         verdict.offer(order[2], compare_means(one, two, both));

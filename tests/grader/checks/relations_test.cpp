@@ -235,7 +235,7 @@ TEST(MetamorphicChecks, RejectCounters)
             Answers answers = constant_answers(group, 0);
             for (std::uint32_t i = 0; i < group.count; ++i)
                 for (std::size_t w = 0; w < group.words_per_answer; ++w)
-                    set_word(answers, i, w, float(i / step));
+                    set_word(answers, i, w, std::floor(float(i) / float(step)));
             EXPECT_FALSE(check.judge(answers, textures).passed()) << step;
         }
     });
@@ -312,7 +312,7 @@ TEST(LevelsOfTheMean, LetPassWhatIsLinear)
 {
     EXPECT_EQ(mipmap_passed([](auto, int, int, int) { return 1.f; }), uploads);
     EXPECT_EQ(mipmap_passed([](auto, int, int, int) { return 0.f; }), uploads) << "empty";
-    EXPECT_EQ(mipmap_passed([](auto, int size, int, int) { return float(4096 / size / size); }), uploads)
+    EXPECT_EQ(mipmap_passed([](auto, int size, int, int) { return 4096.f / float(size * size); }), uploads)
         << "not divided";
     EXPECT_EQ(mipmap_passed([](auto, int size, int x, int y) { return x < size - 1 && y < size - 1 ? 1.f : 0.f; }),
               uploads);
