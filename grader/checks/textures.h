@@ -7,21 +7,25 @@ namespace testat {
 /// The textures of the unit checks, in the order in which requests send them. "Noise" has no symmetry, and its levels
 /// are independent of each other, so that a wrong level, axis or neighbour always shows.
 enum class TestTexture : std::uint32_t {
-    coded_square,     ///< 16 x 16, repeat; the colour of a texel is (level, x, y, 1)
-    coded_wide,       ///< 32 x 8, repeat, the same
-    coded_wide_zero,  ///< 32 x 8, zero outside, the same
-    constant,         ///< 8 x 8, one colour on every level
-    noise_square,     ///< 32 x 32, repeat
-    noise_wide,       ///< 64 x 16, repeat
-    stripes,          ///< 16 x 16, repeat; r and g change along s only, b and a along t only
-    mip_small,        ///< 8 x 8, level 0 only, as all that follow
-    mip_square,       ///< 64 x 64
-    mip_wide,         ///< 32 x 8
-    mip_high,         ///< 4 x 64
-    mip_row,          ///< 16 x 1
-    mip_column,       ///< 1 x 16
-    mip_pair,         ///< 2 x 1
-    mip_single,       ///< 1 x 1
+    coded_square,      ///< 16 x 16, repeat; the colour of a texel is (level, x, y, 1)
+    coded_wide,        ///< 32 x 8, repeat, the same
+    coded_wide_zero,   ///< 32 x 8, zero outside, the same
+    coded_wide_clamp,  ///< 32 x 8, clamp, the same
+    constant,          ///< 8 x 8, one colour on every level
+    noise_square,      ///< 32 x 32, repeat
+    noise_wide,        ///< 64 x 16, repeat
+    noise_high,        ///< 16 x 64, repeat
+    stripes,           ///< 16 x 16, repeat; r and g change along s only, b and a along t only
+    stripes_clamp,     ///< 16 x 16, clamp, the same
+    stripes_zero,      ///< 16 x 16, zero outside, the same
+    mip_small,         ///< 8 x 8, level 0 only, as all that follow
+    mip_square,        ///< 64 x 64
+    mip_wide,          ///< 32 x 8
+    mip_high,          ///< 4 x 64
+    mip_row,           ///< 16 x 1
+    mip_column,        ///< 1 x 16
+    mip_pair,          ///< 2 x 1
+    mip_single,        ///< 1 x 1
     count
 };
 
