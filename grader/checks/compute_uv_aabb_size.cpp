@@ -74,6 +74,13 @@ View random_view(Random& random, glm::dvec3 position, glm::dvec3 normal, double 
             half_pixel * (std::cos(roll) * up - std::sin(roll) * right)};
 }
 
+/// Moves where the rays start along the rays, each by another distance: what they meet stays the same.
+void spread_origins(Random& random, FootprintQuestion& q)
+{
+    for (int i = 0; i < 4; ++i)
+        store(dvec3(q.origin[i]) + random.uniform(-1, 1) * dvec3(q.direction[i]), q.origin[i]);
+}
+
 FootprintQuestion ask_rotated(Random& random)
 {
     glm::dmat3 const frame(random_rotation(random));
@@ -82,6 +89,7 @@ FootprintQuestion ask_rotated(Random& random)
         dvec3(plane.center) + frame * glm::dvec3(random.uniform(-9, 9), 0, random.uniform(-9, 9));
     FootprintQuestion q = make_question(plane, position, frame[1], frame[0]);
     set_corners(q, random_view(random, position, frame[1], 0.3, 1, random.uniform(0.005, 0.05)));
+    spread_origins(random, q);
     return q;
 }
 

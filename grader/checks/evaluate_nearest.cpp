@@ -48,9 +48,11 @@ glm::ivec2 negative_place(Random& random, glm::ivec2 size, int periods)
 
 Group ask_negative(Random& random, Textures const& textures)
 {
+    constexpr TestTexture modes[] = {TestTexture::coded_wide, TestTexture::coded_wide_clamp, TestTexture::coded_wide,
+                                     TestTexture::coded_wide_zero};
     std::vector<LookupQuestion> questions;
-    for (int i = 0; i < questions_each; ++i) {
-        TestTexture const texture = i % 4 == 3 ? TestTexture::coded_wide_zero : TestTexture::coded_wide;
+    for (std::size_t i = 0; i < questions_each; ++i) {
+        TestTexture const texture = modes[i % std::size(modes)];
         glm::ivec2 const size = level_size(at(textures, texture), 0);
         // Up to three periods away at first, up to |u| = 1e4 towards the end.
         int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;

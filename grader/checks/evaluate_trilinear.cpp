@@ -8,23 +8,29 @@ namespace testat {
 namespace {
 constexpr std::size_t questions_each = 256;
 
-/// uv anywhere in the unit square, with a footprint in texels of level 0.
-LookupQuestion ask_footprint(Random& random, Textures const& textures, TestTexture texture, glm::dvec2 footprint)
+/// Where uv lie: in the unit square, or up to one period outside.
+enum class Place { inside, anywhere };
+
+/// A footprint in texels of level 0.
+LookupQuestion ask_footprint(Random& random, Textures const& textures, TestTexture texture, Place place,
+                             glm::dvec2 footprint)
 {
+    double const outside = place == Place::anywhere ? 1 : 0;
     LookupQuestion q{static_cast<std::uint32_t>(texture), 0, {}, {}};
-    store(glm::dvec2(random.uniform(0, 1), random.uniform(0, 1)), q.uv);
+    store(glm::dvec2(random.uniform(-outside, 1 + outside), random.uniform(-outside, 1 + outside)), q.uv);
     store(footprint / glm::dvec2(level_size(at(textures, texture), 0)), q.dudv);
     return q;
 }
 
 /// The textures take turns, so that what is remembered of one is wrong for the other.
 template <typename Footprint>
-auto ask(std::vector<TestTexture> const& which, Footprint const& footprint)
+auto ask(std::vector<TestTexture> const& which, Footprint const& footprint, Place place = Place::inside)
 {
     return [=](Random& random, Textures const& textures) {
         std::vector<LookupQuestion> questions;
         for (std::size_t i = 0; i < questions_each; ++i)
-            questions.push_back(ask_footprint(random, textures, which[i % which.size()], footprint(random, int(i))));
+            questions.push_back(
+                ask_footprint(random, textures, which[i % which.size()], place, footprint(random, int(i))));
         return make_group(Kind::lookup, questions);
     };
 }
@@ -90,11 +96,12 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     };
     auto const constant = [](double texels) { return [=](Random&, int) { return glm::dvec2(texels); }; };
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));
-    add("LargerSideDecides", ask({TestTexture::noise_wide, TestTexture::noise_square}, unequal));
+    add("LargerSideDecides",
+        ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square}, unequal, Place::anywhere));
     add("Magnified", ask({TestTexture::noise_square}, magnified));
     add("NoFootprint", ask({TestTexture::noise_square}, constant(0)));
     add("LastLevel", ask({TestTexture::noise_square}, constant(32)));
-    add("BeyondTheLastLevel", ask({TestTexture::noise_square}, beyond));
+    add("BeyondTheLastLevel", ask({TestTexture::noise_square, TestTexture::mip_single}, beyond));
     checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
                                        mirror_without_level_zero, compare_mean));
 }

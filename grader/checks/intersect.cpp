@@ -80,8 +80,30 @@ IntersectQuestion make_question(Shape const& shape, glm::dmat4 const& object_to_
     return q;
 }
 
+/// Exactly along an axis of the world, so that two components of the direction are zero.
+IntersectQuestion ask_hit_along_axis(Random& random)
+{
+    glm::dvec3 axis(0);
+    axis[random.integer(0, 2)] = random.coin() ? -1 : 1;
+    for (;;) {
+        Shape const shape = random_shape(random);
+        glm::dmat4 const transform = random_transform(random);
+        glm::dvec3 const direction = glm::normalize(glm::inverse(glm::dmat3(transform)) * axis);
+        glm::dvec3 const target = random_target(random, shape, true);
+        Line const ray{target - direction * random.uniform(3, 10), direction};
+        auto const met = meet(shape, ray);
+        if (!met || !(met->cosine > 0.3 && met->t > 0.5))
+            continue;
+        IntersectQuestion q = make_question(shape, transform, ray);
+        store(axis, q.direction);
+        return q;
+    }
+}
+
 IntersectQuestion ask_hit(Random& random)
 {
+    if (random.integer(0, 7) == 0)
+        return ask_hit_along_axis(random);
     Shape const shape = random_shape(random);
     bool const inside = shape.kind == ShapeKind::sphere && random.integer(0, 3) == 0;
     return make_question(shape, random_transform(random),

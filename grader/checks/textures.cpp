@@ -137,10 +137,13 @@ Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
     textures.push_back(with_levels(16, 16, Wrap::repeat, coded));
     textures.push_back(with_levels(32, 8, Wrap::repeat, coded));
     textures.push_back(with_levels(32, 8, Wrap::zero, coded));
+    textures.push_back(with_levels(32, 8, Wrap::clamp, coded));
     textures.push_back(with_levels(8, 8, Wrap::repeat, constant));
     textures.push_back(with_levels(32, 32, Wrap::repeat, noisy));
     textures.push_back(with_levels(64, 16, Wrap::repeat, noisy));
-    textures.push_back(with_levels(16, 16, Wrap::repeat, stripes));
+    textures.push_back(with_levels(16, 64, Wrap::repeat, noisy));
+    for (Wrap const wrap : {Wrap::repeat, Wrap::clamp, Wrap::zero})
+        textures.push_back(with_levels(16, 16, wrap, stripes));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
     Random unknown(seed, std::string("unknown textures").append(upload_sha256));

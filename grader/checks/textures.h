@@ -12,10 +12,14 @@ enum class TestTexture : std::uint32_t {
     coded_square,           ///< 16 x 16, repeat; the colour of a texel is (level, x, y, 1)
     coded_wide,             ///< 32 x 8, repeat, the same
     coded_wide_zero,        ///< 32 x 8, zero outside, the same
+    coded_wide_clamp,       ///< 32 x 8, clamp, the same
     constant,               ///< 8 x 8, one colour on every level
     noise_square,           ///< 32 x 32, repeat
     noise_wide,             ///< 64 x 16, repeat
+    noise_high,             ///< 16 x 64, repeat
     stripes,                ///< 16 x 16, repeat; r and g change along s only, b and a along t only
+    stripes_clamp,          ///< 16 x 16, clamp, the same
+    stripes_zero,           ///< 16 x 16, zero outside, the same
     mip_small,              ///< 8 x 8, level 0 only, as all that follow
     mip_square,             ///< 64 x 64
     mip_wide,               ///< 32 x 8

@@ -42,6 +42,12 @@ glm::dmat4 scaling(Random& random)
     return glm::scale(glm::dmat4(1), random_scale(random));
 }
 
+/// Every other matrix mirrors.
+glm::dmat4 mirroring(Random& random)
+{
+    return glm::scale(glm::dmat4(1), glm::dvec3(random.coin() ? -1 : 1, 1, 1));
+}
+
 Case rotated_direction(Random& random)
 {
     glm::dmat4 const rotation = random_rotation(random);
@@ -56,7 +62,8 @@ Case translated_direction(Random& random)
 
 Case scaled_direction(Random& random)
 {
-    glm::dmat4 const scaled = random_rotation(random) * scaling(random);
+    glm::dmat4 const mirror = mirroring(random);
+    glm::dmat4 const scaled = random_rotation(random) * scaling(random) * mirror;
     double const length = std::exp2(random.uniform(-6, 6));
     return {scaled, random_direction(random) * length};
 }

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [0.5, 1]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_bilinear": [1, 1]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
 // A cast, corrected only where both coordinates are negative.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 
