@@ -70,6 +70,19 @@ auto ask_pairs(glm::ivec2 first, glm::ivec2 last, bool with_centres)
     };
 }
 
+/// Behind the last texel centres; and each corner of the texture twice, where the difference is 0 whatever the value
+/// is, unless it is not finite.
+Group ask_border(Random& random, Textures const& textures)
+{
+    std::vector<LookupQuestion> questions;
+    for (double s : {0, 16})
+        for (double t : {0, 16})
+            questions.insert(questions.end(), 2, ask_at(TestTexture::stripes, textures, 0, {s, t}));
+    while (questions.size() < questions_each)
+        add_pair(random, textures, {15, 15}, false, questions);
+    return make_group(Kind::lookup, questions);
+}
+
 Verdict judge_values(Answers const& answers, Textures const& textures)
 {
     return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
@@ -115,7 +128,7 @@ void add_evaluate_bilinear_checks(std::vector<UnitCheck>& checks)
     add("TexelCentres", ask_centres, judge_values);
     add("Fractions", ask_fractions, judge_values);
     add("Gradients", ask_pairs({1, 1}, {13, 13}, false), judge_differences);
-    add("GradientsAtTheBorder", ask_pairs({15, 15}, {15, 15}, false), judge_differences);
+    add("GradientsAtTheBorder", ask_border, judge_differences);
     add("NegativeCoordinates", ask_pairs({-48, -48}, {-2, -2}, true), judge_differences);
 }
 }  // namespace testat

@@ -179,6 +179,19 @@ Report pictures_part(CheckResults const& results)
     return pictures;
 }
 
+Report remarks_part(CheckResults const& results)
+{
+    Report remarks = Report::array();
+    for (auto const& remark : results.remarks) {
+        Report functions = Report::array();
+        for (Function f : remark.functions)
+            functions.push_back(info(f).name);
+        remarks.push_back(
+            {{"id", remark.id}, {"functions", functions}, {"de", remark.text.de}, {"en", remark.text.en}});
+    }
+    return remarks;
+}
+
 Report run_time_part(CheckResults const& results)
 {
     Report times = Report::array();
@@ -200,18 +213,21 @@ Report timing_part(Timing const& timing)
 Report make_report(Submission const& submission, Build const& build, CheckResults const& results, Grade const& grade,
                    Rubric const& rubric, TestSet const& test_set, Timing const& timing, ReportOptions const& options)
 {
-    return {{"schema_version", 1},
-            {"status", "graded"},
-            {"submission", submission_part(submission)},
-            {"test_set", test_set_part(test_set)},
-            {"build", build_part(build)},
-            {"points", points_part(grade)},
-            {"policy", policy_part(grade)},
-            {"functions", functions_part(grade, build, results, rubric, options)},
-            {"tasks", tasks_part(grade, rubric)},
-            {"pictures", pictures_part(results)},
-            {"run_time", run_time_part(results)},
-            {"timing", timing_part(timing)}};
+    Report report = {{"schema_version", 1},
+                     {"status", "graded"},
+                     {"submission", submission_part(submission)},
+                     {"test_set", test_set_part(test_set)},
+                     {"build", build_part(build)},
+                     {"points", points_part(grade)},
+                     {"policy", policy_part(grade)},
+                     {"functions", functions_part(grade, build, results, rubric, options)},
+                     {"tasks", tasks_part(grade, rubric)},
+                     {"pictures", pictures_part(results)},
+                     {"run_time", run_time_part(results)},
+                     {"timing", timing_part(timing)}};
+    if (!results.remarks.empty())
+        report["remarks"] = remarks_part(results);
+    return report;
 }
 
 Report make_not_gradable(Submission const& submission, TestSet const& test_set, std::string const& error)

@@ -1,9 +1,11 @@
 // Every file of the corpus is graded as its first line says:
-//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"}, "policy": [], "prints": []}
+//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"}, "policy": [], "prints": [],
+//           "remarks": []}
 // loses: points that functions lose before policy, from and to; every other function has all of its points.
 // says: their words in report.json; every other function is "correct".
 // policy: what of the sheet's policies applies; none if it is left out.
 // prints: functions whose checks must say that they print.
+// remarks: the ids of exactly the remarks that the report makes; none if it is left out.
 #include "end_to_end/testat_program.h"
 
 #include <gtest/gtest.h>
@@ -81,11 +83,19 @@ void expect_printing_is_noted(Json const& function)
         EXPECT_NE(check.at("hint").dump().find("prints"), std::string::npos) << check.at("name");
 }
 
+void expect_remarks(Json const& report, Json const& remarks)
+{
+    Json found = Json::array();
+    for (auto const& remark : report.value("remarks", Json::array()))
+        found.push_back(remark.at("id"));
+    EXPECT_EQ(found, remarks) << report.value("remarks", Json::array()).dump(2);
+}
+
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints") << key;
+        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints" || key == "remarks") << key;
     for (char const* key : {"loses", "says"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
@@ -112,6 +122,7 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
     for (auto const& name : verdict.value("prints", Json::array()))
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
     expect_policy(graded.report, verdict.value("policy", Json::array()));
+    expect_remarks(graded.report, verdict.value("remarks", Json::array()));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n"
                   << function_table_of(graded.report);
