@@ -98,10 +98,14 @@ Group ask_inner(Random& random, Textures const& textures)
 }
 
 /// Behind the centre of the last texel, where the wrap mode says what the neighbours are. In mode zero one column
-/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not.
+/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not. And each
+/// corner of the texture twice, where the difference is 0 whatever the value is, unless it is not finite.
 Group ask_border(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
+    for (double s : {0, 16})
+        for (double t : {0, 16})
+            questions.insert(questions.end(), 2, ask_at(TestTexture::stripes, textures, 0, {s, t}));
     for (int i = 0; i < questions_each / 8; ++i) {
         add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
         add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
