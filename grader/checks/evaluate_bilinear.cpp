@@ -77,8 +77,8 @@ Group ask_negative(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < questions_each / 2; ++i) {
-        // Up to three periods away at first, up to a thousand towards the end.
-        int const farthest = i < questions_each * 3 / 8 ? 48 : 16'000;
+        // Up to three periods away at first, up to 128 towards the end: beyond, a float has too few digits to tell.
+        int const farthest = i < questions_each * 3 / 8 ? 48 : 2048;
         glm::ivec2 texel(random.integer(-farthest, -2), random.integer(-farthest, -2));
         if (random.integer(0, 2) == 0)
             texel[random.integer(0, 1)] = random.integer(1, 13);
