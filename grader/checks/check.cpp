@@ -1,5 +1,6 @@
 #include "checks/check.h"
 
+#include "checks/oracles.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -107,15 +108,28 @@ std::string format_vector(std::vector<double> const& v)
 }
 
 Deviation compare(std::vector<double> const& measured, std::vector<double> const& expected,
-                  std::vector<double> const& bound)
+                  std::vector<double> const& bound, Words words)
 {
-    Deviation deviation{0, format_vector(measured), format_vector(expected)};
+    Deviation deviation;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         double const units = in_bounds(measured[i], expected[i], bound[i]);
         if (!(units <= deviation.in_bounds))
             deviation.in_bounds = units;
     }
+    if (words == Words::always || !(deviation.in_bounds <= 1)) {
+        deviation.measured = format_vector(measured);
+        deviation.expected = format_vector(expected);
+    }
     return deviation;
+}
+
+Deviation worst_of(std::initializer_list<Deviation> deviations)
+{
+    Deviation worst = *deviations.begin();
+    for (auto const& d : deviations)
+        if (!(d.in_bounds <= worst.in_bounds))
+            worst = d;
+    return worst;
 }
 
 std::string describe_question(Group const& group, std::uint32_t index, Textures const& textures)

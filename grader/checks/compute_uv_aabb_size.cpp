@@ -1,5 +1,6 @@
-#include "checks/check.h"
+#include "checks/footprint.h"
 #include "checks/matrices.h"
+#include "checks/oracles.h"
 #include "checks/shapes.h"
 
 #include <algorithm>
@@ -138,75 +139,23 @@ auto ask(FootprintQuestion (*make)(Random&))
         return make_group(Kind::footprint, questions);
     };
 }
-
-/// A corner in uv, relative to the intersection's uv, with what float may be off by.
-struct Corner {
-    glm::dvec2 offset;
-    glm::dvec2 error;
-};
-
-/// uv at the position, and how much it changes when the position is off by `error` in any direction.
-Corner map_corner(FootprintQuestion const& q, glm::dvec3 position, double error)
-{
-    glm::dvec2 const uv = map_uv(q.shape, position);
-    glm::dvec2 change(8 * eps * (glm::abs(uv) + 1.0));
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 moved = position;
-        moved[axis] += error;
-        change += glm::abs(map_uv(q.shape, moved) - uv);
-    }
-    return {uv - dvec2(q.uv), change};
-}
-
-/// t is a quotient: both dot products are sums of products of coordinates, the divisor is the cosine of the view.
-Corner corner(FootprintQuestion const& q, int i)
-{
-    Line const ray{dvec3(q.origin[i]), glm::normalize(dvec3(q.direction[i]))};
-    glm::dvec3 const position = dvec3(q.position);
-    glm::dvec3 const normal = dvec3(q.normal);
-    auto const t = meet_plane(position, normal, ray);
-    if (!t)
-        return map_corner(q, position, 4 * eps * glm::length(position));
-    double const cosine = std::abs(glm::dot(ray.direction, normal));
-    double const reach = glm::length(ray.origin) + glm::length(position) + *t + glm::length(dvec3(q.shape.center));
-    return map_corner(q, ray.origin + *t * ray.direction, 8 * eps * reach * (1 + 1 / cosine));
-}
-
-/// The framework's rule at a seam: where both offsets of a pair point the same way, the longer one is replaced by the
-/// mirrored shorter one.
-void mend_seam(Corner& a, Corner& b)
-{
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!(a.offset[axis] * b.offset[axis] > 0))
-            continue;
-        bool const a_longer = std::abs(a.offset[axis]) > std::abs(b.offset[axis]);
-        (a_longer ? a : b).offset[axis] = -(a_longer ? b : a).offset[axis];
-    }
-}
-
-Verdict judge(Answers const& answers, Textures const&)
-{
-    return judge_each<FootprintQuestion>(answers, [&](FootprintQuestion const& q, std::uint32_t i) {
-        Corner corners[4] = {corner(q, 0), corner(q, 1), corner(q, 2), corner(q, 3)};
-        mend_seam(corners[0], corners[1]);
-        mend_seam(corners[2], corners[3]);
-        glm::dvec2 lower = corners[0].offset, upper = lower, error = corners[0].error;
-        for (auto const& c : corners) {
-            lower = glm::min(lower, c.offset);
-            upper = glm::max(upper, c.offset);
-            error = glm::max(error, c.error);
-        }
-        glm::dvec2 const right = upper - lower;
-        auto const measured = floats<2>(answers, i);
-        return compare({measured.begin(), measured.end()}, {right.x, right.y}, {2 * error.x, 2 * error.y});
-    });
-}
 }  // namespace
+
+Deviation footprint_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    auto const measured = floats<2>(answers, index);
+    Footprint const right = footprint(question<FootprintQuestion>(answers.group, index), dvec2(measured.data()));
+    Deviation deviation = compare({measured.begin(), measured.end()}, {right.size.x, right.size.y},
+                                  {right.bound.x, right.bound.y}, words);
+    deviation.decided = right.decided;
+    return deviation;
+}
 
 void add_compute_uv_aabb_size_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto make) {
-        checks.push_back({std::string("ComputeUvAabbSize.") + name, Function::compute_uv_aabb_size, ask(make), judge});
+        checks.push_back({std::string("ComputeUvAabbSize.") + name, Function::compute_uv_aabb_size, ask(make),
+                          judge_by(footprint_deviation)});
     };
     add("AxisAligned", ask_axis_aligned);
     add("Rotated", ask_rotated);

@@ -1,0 +1,208 @@
+#include "stress/stress.h"
+
+#include "observe/observe.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+/// So many times a child goes on behind a question that ended the one before, in each block.
+constexpr int most_restarts = 8;
+/// So many times it may run into the time limit, which is shorter from the second time on.
+constexpr std::uint64_t most_timeouts = 3;
+/// What lies outside of the contract is one eighth of the questions.
+constexpr std::uint32_t outside_share = 8;
+
+/// Blocks of one function, all inside or all outside of its contract.
+struct Series {
+    Subject const* subject;
+    bool inside;
+    std::uint32_t questions;
+    std::vector<Tally> tallies;  ///< one for each block
+
+    std::uint32_t questions_in(std::size_t block) const
+    {
+        return std::min(subject->block, questions - static_cast<std::uint32_t>(block) * subject->block);
+    }
+    bool hangs() const { return tallies.front().counts.timed_out > 0; }
+};
+
+struct Job {
+    Series* series;
+    std::size_t block;
+};
+
+/// What is left of a group after its first questions.
+Group behind(Group group, std::uint32_t first)
+{
+    auto const bytes = static_cast<std::ptrdiff_t>(std::size_t(first) * question_bytes(group.kind));
+    group.questions.erase(group.questions.begin(), group.questions.begin() + bytes);
+    group.count -= first;
+    return group;
+}
+
+void count_end(Ended ended, Counts& counts)
+{
+    switch (ended) {
+        case Ended::exception:
+            ++counts.exceptions;
+            return;
+        case Ended::timed_out:
+            ++counts.timed_out;
+            return;
+        default:
+            ++counts.crashed;
+    }
+}
+
+/// Asks a block, and again what lies behind a question that ended the child.
+class Asking {
+public:
+    Asking(Build const& build, Installation const& where, Oracle oracle) : build_(build), where_(where), oracle_(oracle)
+    {
+    }
+
+    Tally ask(Block block)
+    {
+        request_.limits = {10, 1, 60};
+        request_.textures = std::move(block.textures);
+        request_.groups = {std::move(block.group)};
+        Tally tally;
+        tally.counts.asked = group().count;
+        for (int i = 0; i <= most_restarts && group().count > 0; ++i)
+            if (!ask_once(tally))
+                break;
+        tally.counts.not_answered = group().count;
+        return tally;
+    }
+
+private:
+    Group& group() { return request_.groups.front(); }
+
+    /// Takes the questions that are done with out of the group; false if the others had better not be asked.
+    bool ask_once(Tally& tally)
+    {
+        Answers const answers = observe(build_, request_, where_).groups.at(group().name);
+        GroupStatus const& status = answers.status;
+        tally.add(tally_answers(answers, status.answered, request_.textures, oracle_));
+        bool const answered = status.ended == Ended::answered || status.ended == Ended::not_loaded;
+        if (!answered)
+            count_end(status.ended, tally.counts);
+        std::uint32_t const done = std::min(group().count, status.answered + (answered ? 0 : 1));
+        group() = behind(std::move(group()), done);
+        if (status.ended == Ended::timed_out)
+            request_.limits.group_s = request_.limits.after_timeout_s;
+        return !answered && tally.counts.timed_out < most_timeouts;
+    }
+
+    Build const& build_;
+    Installation const& where_;
+    Oracle oracle_;
+    Request request_;
+};
+
+Tally left_out(std::uint32_t questions)
+{
+    Tally tally;
+    tally.counts.asked = tally.counts.not_answered = questions;
+    return tally;
+}
+
+std::vector<Series> make_series(Build const& build, StressOptions const& options)
+{
+    std::vector<Series> all;
+    for (auto const& subject : subjects()) {
+        std::uint32_t const questions = options.questions > 0 ? options.questions : subject.questions;
+        std::uint32_t const others = options.contract_only ? 0 : std::max(1u, questions / outside_share);
+        if (!build.written().has(subject.function) || build.library.empty())
+            continue;
+        for (auto const& [inside, count] : {std::pair(true, questions), std::pair(false, others)})
+            if (count > 0)
+                all.push_back({&subject, inside, count, std::vector<Tally>((count - 1) / subject.block + 1)});
+    }
+    return all;
+}
+
+/// The first block of a series tells whether the function hangs; then the others are left out.
+void run_jobs(std::vector<Job> const& jobs, Build const& build, StressOptions const& options, Installation const& where)
+{
+    tbb::parallel_for_each(jobs, [&](Job const& job) {
+        Series& series = *job.series;
+        std::uint32_t const questions = series.questions_in(job.block);
+        Oracle const oracle = series.inside ? series.subject->oracle : nullptr;
+        auto const index = static_cast<std::uint32_t>(job.block);
+        series.tallies[job.block] =
+            job.block > 0 && series.hangs()
+                ? left_out(questions)
+                : Asking(build, where, oracle)
+                      .ask(stress_block(*series.subject, series.inside, index, questions, options.seed));
+    });
+}
+
+void run(std::vector<Series>& all, Build const& build, StressOptions const& options, Installation const& where)
+{
+    std::vector<Job> first, rest;
+    for (auto& series : all)
+        for (std::size_t block = 0; block < series.tallies.size(); ++block)
+            (block == 0 ? first : rest).push_back({&series, block});
+    run_jobs(first, build, options, where);
+    run_jobs(rest, build, options, where);
+}
+
+/// The smallest error that `share` of all are not above. Sorted; not empty.
+double quantile(std::vector<float> const& errors, double share)
+{
+    auto const rank = static_cast<std::size_t>(std::ceil(share * double(errors.size())));
+    return errors[std::max<std::size_t>(rank, 1) - 1];
+}
+}  // namespace
+
+Block stress_block(Subject const& subject, bool inside, std::uint32_t index, std::uint32_t questions,
+                   std::uint64_t seed)
+{
+    std::string const name =
+        fmt::format("stress/{}/{}/{}", info(subject.function).name, inside ? "inside" : "outside", index);
+    Random random(seed, name);
+    Block block = (inside ? subject.inside : subject.outside)(random, questions);
+    block.group.name = name;
+    block.group.under_test = subject.function;
+    block.group.from_upload = FunctionSet::only(subject.function);
+    return block;
+}
+
+void summarize(FunctionStress& result)
+{
+    auto& errors = result.inside.errors;
+    std::sort(errors.begin(), errors.end());
+    result.median = result.p999 = result.max = NAN;
+    if (errors.empty())
+        return;
+    result.median = quantile(errors, 0.5);
+    result.p999 = quantile(errors, 0.999);
+    result.max = errors.back();
+}
+
+std::vector<FunctionStress> stress(Build const& build, StressOptions const& options, Installation const& where)
+{
+    std::vector<Series> all = make_series(build, options);
+    run(all, build, options, where);
+    std::vector<FunctionStress> results;
+    for (auto const& subject : subjects()) {
+        FunctionStress result;
+        result.function = subject.function;
+        for (auto& series : all) {
+            if (series.subject != &subject)
+                continue;
+            result.written = true;
+            for (auto const& tally : series.tallies)
+                (series.inside ? result.inside : result.outside).add(tally);
+        }
+        summarize(result);
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+}  // namespace testat
