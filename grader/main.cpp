@@ -128,7 +128,7 @@ struct StressCommand {
         command->add_option("--out", options.out, "Directory of stress.json (default: testat-out/<stem>-stress)");
         command
             ->add_option("--questions", options.stress.questions,
-                         "Questions to each function (default: up to 1048576, fewer where one takes long)")
+                         "Questions to a function; in proportion fewer where one takes long (default: 1048576)")
             ->check(CLI::Range(1, 1 << 24));
         command->add_option("--seed", options.stress.seed, "Seed of the inputs")
             ->check(CLI::Range(0.0, 9007199254740991.0))

@@ -14,6 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 struct Place {
     glm::dvec3 position;
     double error;
+    bool missed = false;  ///< the position is the intersection's own
     bool decided = true;
 };
 
@@ -25,7 +26,7 @@ Place corner(FootprintQuestion const& q, int i)
     glm::dvec3 const direction = glm::normalize(dvec3(q.direction[i]));
     glm::dvec3 const position = dvec3(q.position);
     glm::dvec3 const normal = dvec3(q.normal);
-    Place const missed{position, 4 * eps * glm::length(position)};
+    Place missed{position, 4 * eps * glm::length(position), true};
     if (direction * normal == glm::dvec3(0))  // parallel in every arithmetic
         return missed;
     double const slope = glm::dot(direction, normal);
@@ -34,10 +35,11 @@ Place corner(FootprintQuestion const& q, int i)
     double const lengths = glm::length(origin) + glm::length(position) + glm::length(dvec3(q.shape.center));
     bool const level = (position - origin) * normal == glm::dvec3(0);
     bool const decided = std::abs(slope) > 8 * eps && (level || std::abs(height) > 8 * eps * lengths);
+    missed.decided = decided;
     if (!(t > 0))
-        return {missed.position, missed.error, decided};
-    double const reach = lengths + t;
-    return {origin + t * direction, 8 * eps * reach * (1 + 1 / (std::abs(slope) - 8 * eps)), decided};
+        return missed;
+    double const error = 8 * eps * (lengths + t) * (1 + 1 / (std::abs(slope) - 8 * eps));
+    return {origin + t * direction, error, false, decided};
 }
 
 /// Where a corner may lie along u or v, relative to the intersection: one place, or two at a seam of the mapping.
@@ -46,6 +48,27 @@ struct Offset {
     int count;
     double error;
 };
+
+bool is_float(double x)
+{
+    return double(static_cast<float>(x)) == x;
+}
+
+/// Whether float comes to the very uv of the intersection, so that a corner that misses has no offset at all: the
+/// position lies from the centre along one axis of the mapping only, and all numbers are floats.
+bool is_mapped_exactly(FootprintQuestion const& q, int axis)
+{
+    glm::dvec3 const d = dvec3(q.position) - dvec3(q.shape.center);
+    glm::dvec3 const tangent = dvec3(q.shape.b);
+    glm::dvec3 const along = axis == 0 ? tangent : glm::cross(tangent, dvec3(q.shape.a));
+    int summands = 0;
+    for (int i = 0; i < 3; ++i) {
+        if (!is_float(d[i]) || !is_float(d[i] * along[i]))
+            return false;
+        summands += d[i] * along[i] != 0 ? 1 : 0;
+    }
+    return summands <= 1 && map_uv(q.shape, dvec3(q.position))[axis] == q.uv[axis];
+}
 
 /// Planes map linearly, so the error of the position goes along the mapping's axes.
 Offset along_plane(FootprintQuestion const& q, Place const& place, int axis)
@@ -57,9 +80,9 @@ Offset along_plane(FootprintQuestion const& q, Place const& place, int axis)
         moved[i] += place.error;
         change += std::abs(map_uv(q.shape, moved)[axis] - uv);
     }
-    // Without any offset, as after a miss, the numbers are such that float makes no error either.
     double const offset = uv - q.uv[axis];
-    return {{offset, offset}, 1, offset == 0 ? 0 : change};
+    bool const exact = place.missed && is_mapped_exactly(q, axis);
+    return {{offset, offset}, 1, exact ? 0 : change};
 }
 
 /// The angle under which an error is seen from a distance; beyond that, anything.

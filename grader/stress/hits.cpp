@@ -4,15 +4,17 @@
 
 #include <algorithm>
 
-// intersect. Contract: shapes of size 1e-3 to 1e3, a few sizes away from their origin; affine, invertible matrices of
-// scale 1e-12 to 1e12 (beyond 2^42 the determinant that the framework inverts by leaves float's range), flattened by
-// 1e3 at most; translations, and distances of the ray's origin, up to 1e4 sizes in the world.
+// intersect. Contract: shapes of size 1e-3 to 1e3, a few sizes away from their origin. Affine, invertible matrices of
+// scale 1e-12 to 1e12, flattened by 1e3 at most; the framework inverts them by their determinant, which has to be a
+// float, and so has its inverse. Translations and distances of up to 1e3 sizes in the world. A distance is measured by
+// its square, so a hit is 1e18 away at most: rays nearly along a plane start within 1e6, and have a slope of 1e-9 or
+// exactly none.
 namespace testat {
 namespace {
 constexpr double flattest = 1e3;
-/// A determinant whose inverse float holds in full precision.
-constexpr double least_determinant = 0x1p-125;
-constexpr double largest_determinant = 0x1p125;
+/// Products of three columns must be floats, and so must their inverses, both in full precision.
+constexpr double least_product = 0x1p-125;
+constexpr double largest_product = 0x1p125;
 
 Shape any_shape(Random& random, double size)
 {
@@ -100,10 +102,34 @@ void set_ray(IntersectQuestion& q, Line const& ray)
     store(glm::normalize(glm::dvec3(to_world * glm::dvec4(ray.direction, 0))), q.direction);
 }
 
+/// Whether float can do what glm::inverse does: divide by the determinant, and multiply two columns with the
+/// translation.
 bool is_invertible(float const* matrix)
 {
-    double const determinant = std::abs(glm::determinant(glm::dmat3(dmat4(matrix))));
-    return determinant >= least_determinant && determinant <= largest_determinant;
+    glm::dmat4 const m = dmat4(matrix);
+    double const determinant = std::abs(glm::determinant(glm::dmat3(m)));
+    double const longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+    double const translation = std::max(longest, glm::length(glm::dvec3(m[3])));
+    return determinant >= least_product && longest * longest * translation <= largest_product;
+}
+
+/// Whether no hit is farther away than float can measure, however float rounds a slope.
+bool is_measurable(IntersectQuestion const& q, double size)
+{
+    constexpr double farthest = 1e18;
+    constexpr double clear_slope = 1e-3;      // float keeps its order of magnitude, whatever the matrix
+    constexpr double unclear_slope = 1e-9;    // below, a slope is nothing but roundings, unless it is zero
+    constexpr double flattest_float = 1e-12;  // what roundings may leave in between
+    glm::dmat4 const to_world = q.transform_objects != 0 ? dmat4(q.object_to_world) : glm::dmat4(1);
+    double const stretch = std::max({glm::length(to_world[0]), glm::length(to_world[1]), glm::length(to_world[2])});
+    double const extent = glm::length(dvec3(q.origin)) + glm::length(glm::dvec3(to_world[3])) + 10 * size * stretch;
+    if (q.shape.kind == ShapeKind::sphere)
+        return extent < farthest;
+    glm::dvec3 const direction = glm::inverse(glm::dmat3(to_world)) * dvec3(q.direction);
+    double const slope = std::abs(glm::dot(glm::normalize(direction), normal_of(q.shape)));
+    if (slope > 0 && slope < unclear_slope)
+        return false;
+    return extent < farthest * (slope > clear_slope ? slope : flattest_float);
 }
 
 IntersectQuestion inside(Random& random)
@@ -112,10 +138,10 @@ IntersectQuestion inside(Random& random)
     double const size = seldom(random, 3) ? 1 : log_uniform(random, 1e-3, 1e3);
     q.shape = any_shape(random, size);
     q.transform_objects = seldom(random, 8) ? 0 : 1;
-    do
+    do {
         store(any_transform(random, size), q.object_to_world);
-    while (!is_invertible(q.object_to_world));
-    set_ray(q, any_ray(random, q.shape, size));
+        set_ray(q, any_ray(random, q.shape, size));
+    } while (!is_invertible(q.object_to_world) || !is_measurable(q, size));
     return q;
 }
 

@@ -111,11 +111,20 @@ Tally left_out(std::uint32_t questions)
     return tally;
 }
 
+/// Functions that take longer get fewer, in proportion.
+std::uint32_t questions_to(Subject const& subject, StressOptions const& options)
+{
+    if (options.questions == 0)
+        return subject.questions;
+    double const share = double(subject.questions) / most_questions;
+    return std::max(1u, static_cast<std::uint32_t>(options.questions * share));
+}
+
 std::vector<Series> make_series(Build const& build, StressOptions const& options)
 {
     std::vector<Series> all;
     for (auto const& subject : subjects()) {
-        std::uint32_t const questions = options.questions > 0 ? options.questions : subject.questions;
+        std::uint32_t const questions = questions_to(subject, options);
         std::uint32_t const others = options.contract_only ? 0 : std::max(1u, questions / outside_share);
         if (!build.written().has(subject.function) || build.library.empty())
             continue;

@@ -9,7 +9,7 @@
 namespace testat {
 struct StressOptions {
     std::uint64_t seed = 1;
-    std::uint32_t questions = 0;  ///< to each function; 0: each function's own number
+    std::uint32_t questions = 0;  ///< to each cheap function, fewer to others; 0: `most_questions`
     bool contract_only = false;   ///< nothing outside of the contract is asked
 };
 

@@ -3,7 +3,7 @@
 namespace testat {
 std::vector<Subject> const& subjects()
 {
-    constexpr std::uint32_t mebi = 1 << 20;
+    constexpr std::uint32_t mebi = most_questions;
     static std::vector<Subject> const all = {
         {Function::evaluate_nearest, mebi, texels_inside, lookups_outside, nearest_deviation},
         {Function::wrap_clamp, mebi, wraps_inside, wraps_outside, wrap_clamp_deviation},

@@ -24,6 +24,9 @@ struct Subject {
     std::uint32_t block = 65'536;  ///< questions to one child process
 };
 
+/// What the cheap functions are asked.
+constexpr std::uint32_t most_questions = 1 << 20;
+
 /// All eleven, in the order of the sheet.
 std::vector<Subject> const& subjects();
 
