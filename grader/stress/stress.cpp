@@ -9,10 +9,14 @@
 
 namespace testat {
 namespace {
-/// So many times a child goes on behind a question that ended the one before, in each block.
-constexpr int most_restarts = 8;
-/// So many times it may run into the time limit, which is shorter from the second time on.
+/// A block is asked again so many times behind questions that ended the process, then in so many parts at once: rare
+/// crashes are all counted, frequent ones do not take forever.
+constexpr int most_rounds = 4;
+constexpr std::size_t parts = 64;
+/// So many times a block may run into the time limit, which is shorter from the second time on.
 constexpr std::uint64_t most_timeouts = 3;
+/// Loops that take one step for each unit of a coordinate stay below. CPU seconds.
+constexpr Limits limits{5, 1, 20};
 /// What lies outside of the contract is one eighth of the questions.
 constexpr std::uint32_t outside_share = 8;
 
@@ -35,13 +39,42 @@ struct Job {
     std::size_t block;
 };
 
-/// What is left of a group after its first questions.
-Group behind(Group group, std::uint32_t first)
+/// `count` questions of a group.
+Group part_of(Group const& group, std::uint32_t first, std::uint32_t count)
 {
-    auto const bytes = static_cast<std::ptrdiff_t>(std::size_t(first) * question_bytes(group.kind));
-    group.questions.erase(group.questions.begin(), group.questions.begin() + bytes);
-    group.count -= first;
-    return group;
+    Group part = group;
+    std::size_t const size = question_bytes(group.kind);
+    auto const begin = group.questions.begin() + static_cast<std::ptrdiff_t>(first * size);
+    part.questions.assign(begin, begin + static_cast<std::ptrdiff_t>(count * size));
+    part.count = count;
+    return part;
+}
+
+std::vector<Group> split(std::vector<Group> const& groups, std::size_t into)
+{
+    std::vector<Group> all;
+    for (auto const& group : groups) {
+        auto const each = static_cast<std::uint32_t>((group.count - 1) * groups.size() / into + 1);
+        for (std::uint32_t first = 0; first < group.count; first += each) {
+            all.push_back(part_of(group, first, std::min(each, group.count - first)));
+            all.back().name += fmt::format("/{}", first);
+        }
+    }
+    return all;
+}
+
+std::uint64_t count_questions(std::vector<Group> const& groups)
+{
+    std::uint64_t count = 0;
+    for (auto const& group : groups)
+        count += group.count;
+    return count;
+}
+
+/// A group whose turn did not come, because others had used up the time.
+bool was_left_out(GroupStatus const& status)
+{
+    return status.ended == Ended::timed_out && status.answered == 0 && status.cpu_s == 0;
 }
 
 void count_end(Ended ended, Counts& counts)
@@ -58,7 +91,7 @@ void count_end(Ended ended, Counts& counts)
     }
 }
 
-/// Asks a block, and again what lies behind a question that ended the child.
+/// Asks a block, and again what lies behind questions that ended the process.
 class Asking {
 public:
     Asking(Build const& build, Installation const& where, Oracle oracle) : build_(build), where_(where), oracle_(oracle)
@@ -67,35 +100,51 @@ public:
 
     Tally ask(Block block)
     {
-        request_.limits = {10, 1, 60};
+        request_.limits = limits;
         request_.textures = std::move(block.textures);
         request_.groups = {std::move(block.group)};
         Tally tally;
-        tally.counts.asked = group().count;
-        for (int i = 0; i <= most_restarts && group().count > 0; ++i)
-            if (!ask_once(tally))
-                break;
-        tally.counts.not_answered = group().count;
+        tally.counts.asked = count_questions(request_.groups);
+        for (int i = 0; i < most_rounds && !request_.groups.empty(); ++i)
+            ask_once(tally);
+        tally.counts.not_answered += count_questions(request_.groups);
         return tally;
     }
 
 private:
-    Group& group() { return request_.groups.front(); }
-
-    /// Takes the questions that are done with out of the group; false if the others had better not be asked.
-    bool ask_once(Tally& tally)
+    /// Leaves in the request what had better be asked again.
+    void ask_once(Tally& tally)
     {
-        Answers const answers = observe(build_, request_, where_).groups.at(group().name);
-        GroupStatus const& status = answers.status;
-        tally.add(tally_answers(answers, status.answered, request_.textures, oracle_));
-        bool const answered = status.ended == Ended::answered || status.ended == Ended::not_loaded;
-        if (!answered)
-            count_end(status.ended, tally.counts);
-        std::uint32_t const done = std::min(group().count, status.answered + (answered ? 0 : 1));
-        group() = behind(std::move(group()), done);
-        if (status.ended == Ended::timed_out)
+        Observations const observations = observe(build_, request_, where_);
+        std::vector<Group> rest;
+        for (auto const& group : request_.groups) {
+            Group left = settle(observations.groups.at(group.name), tally);
+            if (left.count > 0)
+                rest.push_back(std::move(left));
+        }
+        bool const hangs = tally.counts.timed_out > 0;
+        if (hangs)
             request_.limits.group_s = request_.limits.after_timeout_s;
-        return !answered && tally.counts.timed_out < most_timeouts;
+        if (tally.counts.timed_out >= most_timeouts) {
+            tally.counts.not_answered += count_questions(rest);
+            rest.clear();
+        }
+        request_.groups = hangs ? std::move(rest) : split(rest, std::max(parts, rest.size()));
+    }
+
+    /// What is left of a group to be asked again.
+    Group settle(Answers const& answers, Tally& tally) const
+    {
+        GroupStatus const& status = answers.status;
+        Group const& group = answers.group;
+        tally.add(tally_answers(answers, status.answered, request_.textures, oracle_));
+        if (was_left_out(status) || status.ended == Ended::answered || status.ended == Ended::not_loaded) {
+            tally.counts.not_answered += group.count - status.answered;
+            return part_of(group, group.count, 0);
+        }
+        count_end(status.ended, tally.counts);
+        std::uint32_t const done = std::min(group.count, status.answered + 1);
+        return part_of(group, done, group.count - done);
     }
 
     Build const& build_;

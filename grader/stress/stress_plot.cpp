@@ -20,7 +20,8 @@ constexpr Term allowed{"erlaubt", "allowed"};
 constexpr Term median_term{"Median", "median"};
 constexpr Term most_term{"99,9 % der Eingaben", "99.9 % of the inputs"};
 constexpr Term largest_term{"größter Fehler", "largest error"};
-constexpr Term how_often{"Häufigkeit (logarithmisch)", "how often (logarithmic)"};
+constexpr Term right_term{"richtig", "right"};
+constexpr Term wrong_term{"falsch (Höhe: Anzahl, logarithmisch)", "wrong (height: how many, logarithmic)"};
 constexpr Term not_asked{"nicht gefragt", "not asked"};
 
 // Okabe and Ito's colours, which everybody can tell apart; the marks differ in shape as well.
@@ -33,9 +34,11 @@ constexpr int left = 300;
 constexpr int right = 960;
 constexpr int top = 78;
 constexpr int row_height = 44;
-constexpr int exact_column = 44;  ///< for errors of zero, and as much for infinite ones
+constexpr int exact_column = 64;  ///< for errors of zero, and as much for infinite ones
 constexpr int axis_left = left + exact_column;
 constexpr int axis_right = right - exact_column;
+
+constexpr int tallest_bar = row_height - 14;
 
 // Decades; bins are a tenth of one.
 constexpr int first_decade = -5;
@@ -157,7 +160,7 @@ private:
         if (count == 0)
             return;
         double const share = std::log1p(double(count)) / std::log1p(double(total));
-        double const height = (row_height - 14) * share;
+        double const height = tallest_bar * share;
         add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}" fill-opacity="0.5"/>)", x0,
             floor - height, x1 - x0, height, wrong ? wrong_colour : right_colour);
     }
@@ -201,8 +204,10 @@ private:
         label(164, y, "start", say(most_term));
         largest_mark(366, y - 5);
         label(378, y, "start", say(largest_term));
-        add(R"(<rect x="530" y="{:.1f}" width="24" height="14" fill="{}" fill-opacity="0.5"/>)", y - 12, right_colour);
-        label(562, y, "start", say(how_often));
+        bar(520, 544, y + 9, 1, 1, false);
+        label(552, y, "start", say(right_term));
+        bar(620, 644, y + 9, 1, 1, true);
+        label(652, y, "start", say(wrong_term));
     }
 
     bool german_;
