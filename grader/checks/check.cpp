@@ -1,6 +1,5 @@
 #include "checks/check.h"
 
-#include "checks/oracles.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -121,15 +120,6 @@ Deviation compare(std::vector<double> const& measured, std::vector<double> const
         deviation.expected = format_vector(expected);
     }
     return deviation;
-}
-
-Deviation worst_of(std::initializer_list<Deviation> deviations)
-{
-    Deviation worst = *deviations.begin();
-    for (auto const& d : deviations)
-        if (!(d.in_bounds <= worst.in_bounds))
-            worst = d;
-    return worst;
 }
 
 std::string describe_question(Group const& group, std::uint32_t index, Textures const& textures)

@@ -1,4 +1,4 @@
-#include "checks/footprint.h"
+#include "checks/footprint_size.h"
 #include "checks/matrices.h"
 #include "checks/oracles.h"
 #include "checks/shapes.h"

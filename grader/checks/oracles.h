@@ -29,7 +29,4 @@ inline auto judge_by(Oracle oracle)
         return verdict;
     };
 }
-
-/// The largest of several; NaN is larger than everything.
-Deviation worst_of(std::initializer_list<Deviation> deviations);
 }  // namespace testat
