@@ -44,9 +44,10 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
 {
     auto const start = std::chrono::steady_clock::now();
     TemporaryDirectory const workplace;
-    Build const build = compile(submission, {options.compiler, rubric.standard}, workplace.path(), where);
+    Build const build =
+        compile(submission, {options.compiler, rubric.standard, options.compiler_flags}, workplace.path(), where);
     double const compiled_ms = ms_since(start);
-    Questions const questions = make_questions(rubric, build.written(), options.seed);
+    Questions const questions = make_questions(rubric, build.written(), options.seed, submission.sha256);
     double observe_ms = 0;
     auto const answers = [&](Request const& request) { return observe_if_any(build, request, where, observe_ms); };
 

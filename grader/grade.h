@@ -14,6 +14,7 @@ struct GradeOptions {
     bool for_tutor = true;
     bool lenient = false;
     std::string compiler = "g++";
+    std::vector<std::string> compiler_flags;  ///< behind our own
 };
 
 /// Grades a file and writes `out`/report.json with its pictures. The report is whole or, if something of ours fails,

@@ -52,6 +52,9 @@ struct GradeCommand {
         command->add_option("--compiler", options.compiler, "Which compiler builds the file")
             ->check(CLI::IsMember({"g++", "clang++"}))
             ->capture_default_str();
+        command->add_option("--compiler-flags", options.compiler_flags, "More flags for it: --compiler-flags=-O3,-g")
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command->add_option("--format", formats, "Formats to write; json is always written")
             ->delimiter(',')
             ->check(CLI::IsMember({"json"}));

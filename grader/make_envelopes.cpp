@@ -4,6 +4,7 @@
 #include "envelopes/pictures.h"
 #include "probe/answer.h"
 #include "probe/slots.h"
+#include "progress.h"
 #include "report/pictures.h"
 #include "report/report.h"
 
@@ -60,7 +61,6 @@ void make(std::string const& name, bool nearest, AssetLibrary& assets, std::file
     Envelope const envelope = builder.finish(time_reference(name, assets));
     write_envelope(envelope, out / (name + ".envelope"));
     write_file(out / (name + ".png"), encode_picture(name, envelope.expected));
-    std::printf("%s\n", name.c_str());
 }
 }  // namespace
 
@@ -73,9 +73,13 @@ int main(int argc, char** argv)
         perturb_slots();
         AssetLibrary assets(argv[2]);
         std::filesystem::create_directories(argv[3]);
-        for (auto const& image : assignment_images())
+        Progress progress("Envelopes", assignment_images().size() + 1);
+        for (auto const& image : assignment_images()) {
             make(image.name, image.params.tex_filter_mode == NEAREST, assets, argv[3]);
+            progress.step(image.name);
+        }
         make(miplevels, false, assets, argv[3]);
+        progress.step(miplevels);
         return 0;
     } catch (std::exception const& e) {
         std::fprintf(stderr, "make_envelopes: %s\n", e.what());

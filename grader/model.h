@@ -49,6 +49,8 @@ struct Build {
     FunctionSet defined;            ///< functions that the library defines
     FunctionSet untouched;          ///< functions whose bodies are still the template's
     std::map<Function, SourceExcerpt> sources;
+    std::map<Function, Diagnostic> broken;  ///< functions that keep the file from compiling, with their first error
+    bool mended = false;  ///< does not compile; the library is that of the file without the broken functions
     double ms = 0;
 
     /// What can be called and is worth asking.
@@ -80,6 +82,7 @@ struct CheckResult {
     Function function{};
     bool passed = false;
     Ended ended = Ended::answered;
+    std::optional<double> error;    ///< of the answer farthest off, in units of what is allowed; if all were given
     std::string detail;             ///< for tutors
     std::optional<Phrase> trouble;  ///< crash, time-out, exception, exit or printing, told to students
     std::optional<Mismatch> mismatch;
@@ -139,6 +142,7 @@ inline IsolatedPicture const* worst(PictureResult const& picture)
 
 struct CheckResults {
     std::vector<CheckResult> checks;
+    std::map<Function, std::string> mistakes;  ///< id of the one mistake that explains what a function answers
     std::vector<PictureResult> pictures;
 };
 
@@ -156,9 +160,10 @@ struct FunctionGrade {
 
 /// What the file earns.
 struct Grade {
-    std::vector<FunctionGrade> functions;  ///< as in the rubric
-    double earned = 0;                     ///< after policy
-    double earned_without = 0;             ///< the sum of the functions
+    std::vector<FunctionGrade> functions;   ///< as in the rubric
+    std::vector<FunctionGrade> unofficial;  ///< what those that are not broken would earn, if any is broken
+    double earned = 0;                      ///< after policy
+    double earned_without = 0;              ///< the sum of the functions
     double max = 0;
     bool passed = false;                ///< earned >= pass_fraction * max
     std::vector<std::string> policies;  ///< that apply to this file; with `lenient` none does

@@ -25,23 +25,22 @@ public:
     /// Written so that NaN fails.
     void offer(std::uint32_t question, Deviation const& deviation)
     {
-        if (deviation.in_bounds <= 1)
-            return;
         bool const not_finite = !(deviation.in_bounds < HUGE_VAL);
         double const rank = not_finite ? HUGE_VAL : deviation.in_bounds;
-        if (!worst_ || rank > rank_) {
-            worst_ = question;
-            rank_ = rank;
+        if (rank > error_) {
+            question_ = question;
+            error_ = rank;
             deviation_ = deviation;
         }
     }
-    bool passed() const { return !worst_; }
-    std::uint32_t question() const { return worst_.value_or(0); }
+    bool passed() const { return error_ <= 1; }
+    double error() const { return error_; }  ///< of the answer that is farthest off, in units of what is allowed
+    std::uint32_t question() const { return question_; }
     Deviation const& deviation() const { return deviation_; }
 
 private:
-    std::optional<std::uint32_t> worst_;
-    double rank_ = 0;
+    std::uint32_t question_ = 0;
+    double error_ = 0;
     Deviation deviation_;
 };
 

@@ -1,7 +1,10 @@
 #include "checks/footprint_size.h"
 #include "checks/matrices.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/shapes.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -72,6 +75,13 @@ View random_view(Random& random, glm::dvec3 position, glm::dvec3 normal, double 
             half_pixel * (std::cos(roll) * up - std::sin(roll) * right)};
 }
 
+/// Moves where the rays start along the rays, each by another distance: what they meet stays the same.
+void spread_origins(Random& random, FootprintQuestion& q)
+{
+    for (int i = 0; i < 4; ++i)
+        store(dvec3(q.origin[i]) + random.uniform(-1, 1) * dvec3(q.direction[i]), q.origin[i]);
+}
+
 FootprintQuestion ask_rotated(Random& random)
 {
     glm::dmat3 const frame(random_rotation(random));
@@ -80,6 +90,7 @@ FootprintQuestion ask_rotated(Random& random)
         dvec3(plane.center) + frame * glm::dvec3(random.uniform(-9, 9), 0, random.uniform(-9, 9));
     FootprintQuestion q = make_question(plane, position, frame[1], frame[0]);
     set_corners(q, random_view(random, position, frame[1], 0.3, 1, random.uniform(0.005, 0.05)));
+    spread_origins(random, q);
     return q;
 }
 
@@ -139,6 +150,56 @@ auto ask(FootprintQuestion (*make)(Random&))
         return make_group(Kind::footprint, questions);
     };
 }
+
+glm::dvec2 size_error(FootprintQuestion const& q)
+{
+    return footprint(q, {}).bound;
+}
+
+/// Two pixels seen from one height, and one as wide and high as both together in the same scene twice or half as large,
+/// at another place and with a texture of another size.
+struct ScaledScene {
+    std::array<FootprintQuestion, 3> questions;
+    double factor;  ///< from the sum of the first two answers to the third
+};
+
+FootprintQuestion ask_from_above(glm::dvec3 position, double scale_uv, double height, glm::dvec2 half_pixel)
+{
+    Shape const plane = make_plane({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, scale_uv);
+    FootprintQuestion q = make_question(plane, position, {0, 1, 0}, {1, 0, 0});
+    set_corners(q, {dvec3(q.position) + glm::dvec3(0, height, 0), {half_pixel.x, 0, 0}, {0, 0, -half_pixel.y}});
+    return q;
+}
+
+ScaledScene scale_scene(Random& random, Textures const&)
+{
+    auto const place = [&] { return glm::dvec3(random.uniform(-20, 20), 0, random.uniform(-20, 20)); };
+    auto const pixel = [&] { return glm::dvec2(random.uniform(0.01, 0.05), random.uniform(0.01, 0.05)); };
+    double const scale_uv = random_scale_uv(random);
+    double const other_scale_uv = random_scale_uv(random);
+    double const scale = random.coin() ? 2 : 0.5;
+    double const height = random.uniform(2, 5);
+    glm::dvec2 const a = pixel();
+    glm::dvec2 const b = pixel();
+    glm::dvec3 const seen = place();
+    return {{ask_from_above(seen, scale_uv, height, a), ask_from_above(seen, scale_uv, height, b),
+             ask_from_above(place(), other_scale_uv, scale * height, a + b)},
+            scale * scale_uv / other_scale_uv};
+}
+
+Deviation compare_sum(Answers const& answers, ScaledScene const& relation, std::array<std::uint32_t, 3> const& places)
+{
+    auto const& q = relation.questions;
+    auto const size = [&](std::size_t i) { return glm::dvec2(dvec2(floats<2>(answers, places[i]).data())); };
+    glm::dvec2 const right = relation.factor * (size(0) + size(1));
+    glm::dvec2 const bound = relation.factor * (size_error(q[0]) + size_error(q[1])) + size_error(q[2]);
+    Deviation d = compare({size(2).x, size(2).y}, {right.x, right.y}, {bound.x, bound.y});
+    d.measured = fmt::format("f(A) = {}, f(B) = {}, f(C) = {}", format_vector({size(0).x, size(0).y}),
+                             format_vector({size(1).x, size(1).y}), d.measured);
+    d.expected = fmt::format("f(C) = {} * (f(A) + f(B)) = {}", relation.factor, d.expected);
+    return d;
+}
+
 }  // namespace
 
 Deviation footprint_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
@@ -161,5 +222,7 @@ void add_compute_uv_aabb_size_checks(std::vector<UnitCheck>& checks)
     add("Rotated", ask_rotated);
     add("RaysThatMiss", ask_misses);
     add("TangentPlane", ask_tangent_plane);
+    checks.push_back(metamorphic_check("ComputeUvAabbSize.ScaledScene", Function::compute_uv_aabb_size, Kind::footprint,
+                                       scale_scene, compare_sum));
 }
 }  // namespace testat

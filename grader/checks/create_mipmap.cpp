@@ -1,10 +1,12 @@
 #include "checks/mip_levels.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace testat {
 namespace {
@@ -65,10 +67,73 @@ auto ask(std::vector<TestTexture> const& which)
     };
 }
 
+Deviation judge_sizes(MipLevels const& measured, TextureData const& texture)
+{
+    return compare_sizes(measured, level_size(texture, 0));
+}
+
 Deviation sizes_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words)
 {
     auto const q = question<MipmapQuestion>(answers.group, index);
-    return compare_sizes(read_mip_levels(answers, index), level_size(textures[q.texture], 0));
+    return judge_sizes(read_mip_levels(answers, index), textures[q.texture]);
+}
+
+constexpr std::array means = {TestTexture::mip_square, TestTexture::unknown_mip, TestTexture::unknown_mip_mean};
+
+/// A texture that is known beforehand, one that is not, and their mean, in any order.
+Group ask_means(Random& random, Textures const& textures)
+{
+    auto const order = unknown_order(textures, means.size());
+    std::vector<TestTexture> asked(means.size());
+    for (std::size_t i = 0; i < means.size(); ++i)
+        asked[order[i]] = means[i];
+    return ask(asked)(random, textures);
+}
+
+/// The mean's levels against the mean of the levels, texel by texel. Mistakes are linear, too, and some add up every
+/// texel there is: as many roundings.
+Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels const& both)
+{
+    double const roundings = double(both.texels.size());
+    for (std::size_t i = 0; i < both.texels.size(); ++i) {
+        double const mean = (double(one.texels[i]) + two.texels[i]) / 2;
+        double const bound = roundings * eps * std::abs(mean);
+        if (std::isfinite(mean) && std::abs(both.texels[i] - mean) <= bound)
+            continue;  // most are right: no words for them
+        Deviation d = compare({both.texels[i]}, {mean}, {bound});
+        d.measured = fmt::format("mean of a texel of T1 and T2: {}, of T3: {}", d.expected, d.measured);
+        d.expected = "levels of T3 = mean of the levels of T1 and T2";
+        return d;
+    }
+    return {};
+}
+
+/// More than half of the texels of level 0, at least, are different ones.
+Deviation compare_variety(MipLevels const& levels)
+{
+    std::set<float> different;
+    auto const count = std::size_t(levels.sizes[0].x) * std::size_t(levels.sizes[0].y);
+    for (std::size_t i = 0; i < count; ++i)
+        different.insert(levels.texels[4 * i]);
+    return {2 * different.size() > count ? 0 : HUGE_VAL,
+            fmt::format("{} different values of red in level 0 of {} texels", different.size(), count),
+            "level 0 as it was"};
+}
+
+Verdict judge_means(Answers const& answers, Textures const& textures)
+{
+    auto const order = unknown_order(textures, means.size());
+    MipLevels const one = read_mip_levels(answers, order[0]);
+    MipLevels const two = read_mip_levels(answers, order[1]);
+    MipLevels const both = read_mip_levels(answers, order[2]);
+    Verdict verdict;
+    for (std::size_t i = 0; i < means.size(); ++i)
+        verdict.offer(order[i], judge_sizes(read_mip_levels(answers, order[i]), at(textures, means[i])));
+    if (verdict.passed())
+        verdict.offer(order[2], compare_means(one, two, both));
+    if (verdict.passed())
+        verdict.offer(order[2], compare_variety(both));
+    return verdict;
 }
 }  // namespace
 
@@ -91,5 +156,6 @@ void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
         ask({TestTexture::mip_pair, TestTexture::mip_wide, TestTexture::mip_high, TestTexture::mip_row,
              TestTexture::mip_column, TestTexture::mip_single}),
         judge_by(mipmap_deviation));
+    add("LinearInTheTexture", ask_means, judge_means);
 }
 }  // namespace testat

@@ -1,5 +1,6 @@
 #include "checks/lookup.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -33,12 +34,25 @@ Group ask_centres(Random& random, Textures const& textures)
     return make_group(Kind::lookup, questions);
 }
 
-/// Between inner texels, on levels of a non-square texture.
+/// In the middle of the only row or column of a texture. There, no neighbour on the other side of a border counts.
+LookupQuestion ask_thin(Random& random, Textures const& textures)
+{
+    double const along = random.uniform(1, 14.5);
+    return random.coin() ? ask_at(TestTexture::mip_row, textures, 0, {along, 0.5})
+                         : ask_at(TestTexture::mip_column, textures, 0, {0.5, along});
+}
+
+/// Between inner texels, on levels of a non-square texture, some of them on textures one texel wide or high.
 Group ask_fractions(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < questions_each; ++i) {
-        int const level = random.integer(0, 2);
+        if (i % 8 == 7) {
+            questions.push_back(ask_thin(random, textures));
+            continue;
+        }
+        // A coarse level first, so that a size that is kept from the first call is not level 0's.
+        int const level = i == 0 ? 2 : random.integer(0, 2);
         glm::ivec2 const size = level_size(at(textures, TestTexture::noise_wide), level);
         questions.push_back(ask_at(TestTexture::noise_wide, textures, level,
                                    {random.uniform(1, size.x - 1.5), random.uniform(1, size.y - 1.5)}));
@@ -48,27 +62,76 @@ Group ask_fractions(Random& random, Textures const& textures)
 
 /// Two points in the half texel behind the centres of texel (x, y). There the four neighbours are the same whether or
 /// not the half-texel shift is there, and so is the difference of the two values along s and along t.
-void add_pair(Random& random, Textures const& textures, glm::ivec2 texel, bool from_centre,
+void add_pair(Random& random, Textures const& textures, TestTexture texture, glm::ivec2 texel, bool from_centre,
               std::vector<LookupQuestion>& questions)
 {
     auto const point = [&](double lo, double hi) {
         return glm::dvec2(inside_texel(random, texel.x, lo, hi), inside_texel(random, texel.y, lo, hi));
     };
     glm::dvec2 const first = from_centre ? glm::dvec2(texel) + 0.5 : point(0.55, 0.7);
-    questions.push_back(ask_at(TestTexture::stripes, textures, 0, first));
-    questions.push_back(ask_at(TestTexture::stripes, textures, 0, point(0.8, 0.95)));
+    questions.push_back(ask_at(texture, textures, 0, first));
+    questions.push_back(ask_at(texture, textures, 0, point(0.8, 0.95)));
 }
 
-auto ask_pairs(glm::ivec2 first, glm::ivec2 last, bool with_centres)
+/// Both coordinates below zero, or one of them and the other inside; every other pair begins at a texel centre.
+Group ask_negative(Random& random, Textures const& textures)
 {
-    return [=](Random& random, Textures const& textures) {
-        std::vector<LookupQuestion> questions;
-        for (int i = 0; i < questions_each / 2; ++i) {
-            glm::ivec2 const texel(random.integer(first.x, last.x), random.integer(first.y, last.y));
-            add_pair(random, textures, texel, with_centres && i % 2 == 0, questions);
-        }
-        return make_group(Kind::lookup, questions);
-    };
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < questions_each / 2; ++i) {
+        // Up to three periods away at first, up to a thousand towards the end.
+        int const farthest = i < questions_each * 3 / 8 ? 48 : 16'000;
+        glm::ivec2 texel(random.integer(-farthest, -2), random.integer(-farthest, -2));
+        if (random.integer(0, 2) == 0)
+            texel[random.integer(0, 1)] = random.integer(1, 13);
+        add_pair(random, textures, TestTexture::stripes, texel, i % 2 == 0, questions);
+    }
+    return make_group(Kind::lookup, questions);
+}
+
+Group ask_inner(Random& random, Textures const& textures)
+{
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < questions_each / 2; ++i) {
+        glm::ivec2 const texel(random.integer(1, 13), random.integer(1, 13));
+        add_pair(random, textures, TestTexture::stripes, texel, false, questions);
+    }
+    return make_group(Kind::lookup, questions);
+}
+
+/// Behind the centre of the last texel, where the wrap mode says what the neighbours are. In mode zero one column
+/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not.
+Group ask_border(Random& random, Textures const& textures)
+{
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < questions_each / 8; ++i) {
+        add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
+        add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
+        add_pair(random, textures, TestTexture::stripes_clamp, {15, 15}, false, questions);
+        add_pair(random, textures, TestTexture::stripes_zero, {17, random.integer(1, 13)}, false, questions);
+    }
+    return make_group(Kind::lookup, questions);
+}
+
+/// A place between texels, far enough from all places where mistakes jump: borders and centres. In multiples of 2^-10,
+/// so that uv is exact in textures of 32 texels, and is also exact when it is moved.
+double clear_of_jumps(Random& random, int texel)
+{
+    return texel + (random.coin() ? 512 : 0) / 1024.0 + random.integer(102, 410) / 1024.0;
+}
+
+/// Linear in the texture, and moved with it by whole texels. That holds for every fixed mix of neighbours, so for most
+/// mistakes, too.
+MeanOfTextures move_by_texels(Random& random, Textures const& textures)
+{
+    glm::ivec2 const size = level_size(at(textures, TestTexture::unknown), 0);
+    glm::ivec2 const last = size - 2 - texture_shift;
+    glm::dvec2 const st(clear_of_jumps(random, random.integer(1, last.x)),
+                        clear_of_jumps(random, random.integer(1, last.y)));
+    // Of three lookups whose texels differ by 1 at most, two of them with half the weight.
+    double const bound = 2 * (coordinate_error(1, size.x) + coordinate_error(1, size.y) + 10 * eps);
+    return {{ask_at(TestTexture::noise_square, textures, 0, st), ask_at(TestTexture::unknown, textures, 0, st),
+             ask_at(TestTexture::unknown_mean_shifted, textures, 0, st + glm::dvec2(texture_shift))},
+            bound};
 }
 
 Deviation compare_difference(Answers const& answers, std::uint32_t index, Lookup const& a, Lookup const& b)
@@ -114,8 +177,10 @@ void add_evaluate_bilinear_checks(std::vector<UnitCheck>& checks)
     add("ConstantTexture", ask_constant, judge_by(bilinear_deviation));
     add("TexelCentres", ask_centres, judge_by(bilinear_deviation));
     add("Fractions", ask_fractions, judge_by(bilinear_deviation));
-    add("Gradients", ask_pairs({1, 1}, {13, 13}, false), judge_differences);
-    add("GradientsAtTheBorder", ask_pairs({15, 15}, {15, 15}, false), judge_differences);
-    add("NegativeCoordinates", ask_pairs({-48, -48}, {-2, -2}, true), judge_differences);
+    add("Gradients", ask_inner, judge_differences);
+    add("GradientsAtTheBorder", ask_border, judge_differences);
+    add("NegativeCoordinates", ask_negative, judge_differences);
+    checks.push_back(metamorphic_check("EvaluateBilinear.LinearInTheTexture", Function::evaluate_bilinear, Kind::lookup,
+                                       move_by_texels, compare_mean));
 }
 }  // namespace testat

@@ -1,5 +1,6 @@
 #include "checks/lookup.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -35,15 +36,28 @@ Group ask_inside(Random& random, Textures const& textures, TestTexture texture, 
     return make_group(Kind::lookup, questions);
 }
 
+/// Both coordinates below zero, or one of them and the other inside.
+glm::ivec2 negative_place(Random& random, glm::ivec2 size, int periods)
+{
+    glm::ivec2 place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+    if (random.integer(0, 2) == 0) {
+        int const axis = random.integer(0, 1);
+        place[axis] = random.integer(0, size[axis] - 1);
+    }
+    return place;
+}
+
 Group ask_negative(Random& random, Textures const& textures)
 {
+    constexpr TestTexture modes[] = {TestTexture::coded_wide, TestTexture::coded_wide_clamp, TestTexture::coded_wide,
+                                     TestTexture::coded_wide_zero};
     std::vector<LookupQuestion> questions;
-    for (int i = 0; i < questions_each; ++i) {
-        TestTexture const texture = i % 4 == 3 ? TestTexture::coded_wide_zero : TestTexture::coded_wide;
+    for (std::size_t i = 0; i < questions_each; ++i) {
+        TestTexture const texture = modes[i % std::size(modes)];
         glm::ivec2 const size = level_size(at(textures, texture), 0);
         // Up to three periods away at first, up to |u| = 1e4 towards the end.
         int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;
-        glm::ivec2 const place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+        glm::ivec2 const place = negative_place(random, size, periods);
         questions.push_back(ask_texel(random, texture, 0, size, place, lower_half));
     }
     return make_group(Kind::lookup, questions);
@@ -61,6 +75,19 @@ std::string name_texel(std::array<float, 4> const& colour)
 double distance_to(int texel, double coordinate, double error)
 {
     return std::max({0.0, texel - coordinate, coordinate - (texel + 1.0)}) / error;
+}
+
+/// A texel, and its mirror image in the mirrored mean: whatever the lower fractions are, the same texel is meant.
+MeanOfTextures mirror_texel(Random& random, Textures const& textures)
+{
+    glm::ivec2 const size = level_size(at(textures, TestTexture::unknown), 0);
+    glm::ivec2 const place(random.integer(0, size.x - 1), random.integer(0, size.y - 1));
+    auto const ask = [&](TestTexture texture, glm::ivec2 texel) {
+        return ask_texel(random, texture, 0, size, texel, lower_half);
+    };
+    return {{ask(TestTexture::noise_square, place), ask(TestTexture::unknown, place),
+             ask(TestTexture::unknown_mean_mirrored, size - 1 - place)},
+            0};
 }
 
 auto inside(TestTexture texture, int first_level, int last_level, Fractions f)
@@ -108,5 +135,7 @@ void add_evaluate_nearest_checks(std::vector<UnitCheck>& checks)
     add("HigherLevels", inside(TestTexture::coded_wide, 1, 5, lower_half));
     add("UpperFractions", inside(TestTexture::coded_square, 0, 0, upper_half));
     add("NegativeCoordinates", ask_negative);
+    checks.push_back(metamorphic_check("EvaluateNearest.MirroredTexture", Function::evaluate_nearest, Kind::lookup,
+                                       mirror_texel, compare_mean));
 }
 }  // namespace testat

@@ -1,28 +1,37 @@
 #include "checks/lookup.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/vectors.h"
+
+#include <algorithm>
 
 namespace testat {
 namespace {
 constexpr std::size_t questions_each = 256;
 
-/// uv anywhere in the unit square, with a footprint in texels of level 0.
-LookupQuestion ask_footprint(Random& random, Textures const& textures, TestTexture texture, glm::dvec2 footprint)
+/// Where uv lie: in the unit square, or up to one period outside.
+enum class Place { inside, anywhere };
+
+/// A footprint in texels of level 0.
+LookupQuestion ask_footprint(Random& random, Textures const& textures, TestTexture texture, Place place,
+                             glm::dvec2 footprint)
 {
+    double const outside = place == Place::anywhere ? 1 : 0;
     LookupQuestion q{static_cast<std::uint32_t>(texture), 0, {}, {}};
-    store(glm::dvec2(random.uniform(0, 1), random.uniform(0, 1)), q.uv);
+    store(glm::dvec2(random.uniform(-outside, 1 + outside), random.uniform(-outside, 1 + outside)), q.uv);
     store(footprint / glm::dvec2(level_size(at(textures, texture), 0)), q.dudv);
     return q;
 }
 
 /// The textures take turns, so that what is remembered of one is wrong for the other.
 template <typename Footprint>
-auto ask(std::vector<TestTexture> const& which, Footprint const& footprint)
+auto ask(std::vector<TestTexture> const& which, Footprint const& footprint, Place place = Place::inside)
 {
     return [=](Random& random, Textures const& textures) {
         std::vector<LookupQuestion> questions;
         for (std::size_t i = 0; i < questions_each; ++i)
-            questions.push_back(ask_footprint(random, textures, which[i % which.size()], footprint(random, int(i))));
+            questions.push_back(
+                ask_footprint(random, textures, which[i % which.size()], place, footprint(random, int(i))));
         return make_group(Kind::lookup, questions);
     };
 }
@@ -51,6 +60,28 @@ glm::dvec2 beyond(Random& random, int)
 {
     return glm::dvec2(32 * std::exp2(random.uniform(0.05, 10)));
 }
+
+/// A lookup between levels, and its mirror image in the mirrored mean without level 0: there each level is one lower,
+/// and so is T. In multiples of 2^-16, uv is exact when it is mirrored.
+MeanOfTextures mirror_without_level_zero(Random& random, Textures const& textures)
+{
+    glm::dvec2 const uv(random.integer(1, 0xffff) * 0x1p-16, random.integer(1, 0xffff) * 0x1p-16);
+    glm::dvec2 const footprint(std::exp2(random.uniform(1.05, 4.95)));
+    glm::dvec2 const dudv = footprint / glm::dvec2(level_size(at(textures, TestTexture::unknown), 0));
+    MeanOfTextures relation{};
+    constexpr TestTexture which[] = {TestTexture::noise_square, TestTexture::unknown,
+                                     TestTexture::unknown_mean_coarser};
+    for (std::size_t i = 0; i < 3; ++i) {
+        LookupQuestion& q = relation.questions[i];
+        q.texture = static_cast<std::uint32_t>(which[i]);
+        store(i == 2 ? 1.0 - uv : uv, q.uv);
+        store(dudv, q.dudv);
+        glm::dvec4 const b = trilinear(textures[q.texture], dvec2(q.uv), dvec2(q.dudv)).bound;
+        relation.bound += (i == 2 ? 1 : 0.5) * std::max({b.r, b.g, b.b, b.a});
+    }
+    return relation;
+}
+
 }  // namespace
 
 Deviation trilinear_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words words)
@@ -67,10 +98,13 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     };
     auto const constant = [](double texels) { return [=](Random&, int) { return glm::dvec2(texels); }; };
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));
-    add("LargerSideDecides", ask({TestTexture::noise_wide, TestTexture::noise_square}, unequal));
+    add("LargerSideDecides",
+        ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square}, unequal, Place::anywhere));
     add("Magnified", ask({TestTexture::noise_square}, magnified));
     add("NoFootprint", ask({TestTexture::noise_square}, constant(0)));
     add("LastLevel", ask({TestTexture::noise_square}, constant(32)));
-    add("BeyondTheLastLevel", ask({TestTexture::noise_square}, beyond));
+    add("BeyondTheLastLevel", ask({TestTexture::noise_square, TestTexture::mip_single}, beyond));
+    checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
+                                       mirror_without_level_zero, compare_mean));
 }
 }  // namespace testat

@@ -1,10 +1,13 @@
 #include "checks/float_hit.h"
 #include "checks/matrices.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
 #include "checks/shapes.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
 
 namespace testat {
 namespace {
@@ -79,8 +82,30 @@ IntersectQuestion make_question(Shape const& shape, glm::dmat4 const& object_to_
     return q;
 }
 
+/// Exactly along an axis of the world, so that two components of the direction are zero.
+IntersectQuestion ask_hit_along_axis(Random& random)
+{
+    glm::dvec3 axis(0);
+    axis[random.integer(0, 2)] = random.coin() ? -1 : 1;
+    for (;;) {
+        Shape const shape = random_shape(random);
+        glm::dmat4 const transform = random_transform(random);
+        glm::dvec3 const direction = glm::normalize(glm::inverse(glm::dmat3(transform)) * axis);
+        glm::dvec3 const target = random_target(random, shape, true);
+        Line const ray{target - direction * random.uniform(3, 10), direction};
+        auto const met = meet(shape, ray);
+        if (!met || !(met->cosine > 0.3 && met->t > 0.5))
+            continue;
+        IntersectQuestion q = make_question(shape, transform, ray);
+        store(axis, q.direction);
+        return q;
+    }
+}
+
 IntersectQuestion ask_hit(Random& random)
 {
+    if (random.integer(0, 7) == 0)
+        return ask_hit_along_axis(random);
     Shape const shape = random_shape(random);
     bool const inside = shape.kind == ShapeKind::sphere && random.integer(0, 3) == 0;
     return make_question(shape, random_transform(random),
@@ -199,6 +224,39 @@ Deviation compare_place(Answers const& answers, std::uint32_t i, WorldHit const&
                      part(8, right.normal, "geometric_normal")});
 }
 
+/// A scene, and the same moved, rotated and scaled as a whole with its ray.
+struct MovedScene {
+    std::array<IntersectQuestion, 2> questions;
+};
+
+MovedScene move_scene(Random& random, Textures const&)
+{
+    Shape const shape = random_shape(random);
+    glm::dmat4 const transform = random_transform(random);
+    Line const ray = aim(random, shape, random.coin());
+    glm::dmat4 const moved = glm::translate(glm::dmat4(1), random_vector(random, 5)) * random_rotation(random);
+    glm::dmat4 const scaled = glm::scale(moved, glm::dvec3(random.coin() ? 2 : 0.5));
+    return {{make_question(shape, transform, ray), make_question(shape, scaled * transform, ray)}};
+}
+
+/// Rays are no near misses and no grazes, so float hits where double does.
+Deviation compare_hits(Answers const& answers, MovedScene const&, std::array<std::uint32_t, 2> const& places)
+{
+    Deviation deviation =
+        compare_hit(answers, places[1], integer(answers, places[0]) == 1 ? Certainty::yes : Certainty::no);
+    deviation.measured += ", before it was moved: " + deviation.expected;
+    return deviation;
+}
+
+/// Half of the rays hit, give or take a few.
+Deviation both_hits_and_misses(Answers const& answers, std::vector<std::uint32_t> const& places)
+{
+    auto const hits = std::size_t(
+        std::count_if(places.begin(), places.end(), [&](std::uint32_t place) { return integer(answers, place) == 1; }));
+    bool const both = 8 * hits > places.size() && 8 * hits < 7 * places.size();
+    return {both ? 0 : HUGE_VAL, fmt::format("{} of {} rays hit", hits, places.size()), "hits and misses"};
+}
+
 /// Where float may come to any answer, a hit is still made of numbers.
 Deviation undecided(Answers const& answers, std::uint32_t i, Certainty hit)
 {
@@ -248,5 +306,7 @@ void add_intersect_checks(std::vector<UnitCheck>& checks)
     add("DistanceInTheWorld", ask_hit, deviation<Judged::distance>);
     add("PlaceInTheWorld", ask_hit, deviation<Judged::place>);
     add("TransformsOff", ask_untransformed, intersect_deviation);
+    checks.push_back(metamorphic_check("Intersect.MovedScene", Function::intersect, Kind::intersect, move_scene,
+                                       compare_hits, both_hits_and_misses));
 }
 }  // namespace testat

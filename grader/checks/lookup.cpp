@@ -2,6 +2,8 @@
 
 #include "checks/vectors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace testat {
@@ -99,6 +101,23 @@ Deviation compare_lookup(Answers const& answers, std::uint32_t index, Lookup con
     auto const measured = floats<4>(answers, index);
     auto const list = [](glm::dvec4 v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
     return compare({measured.begin(), measured.end()}, list(right.value), list(right.bound), words);
+}
+
+Deviation compare_mean(Answers const& answers, MeanOfTextures const& relation,
+                       std::array<std::uint32_t, 3> const& places)
+{
+    std::vector<double> one, two, measured, mean;
+    for (std::size_t c = 0; c < 4; ++c) {
+        one.push_back(floats<4>(answers, places[0])[c]);
+        two.push_back(floats<4>(answers, places[1])[c]);
+        measured.push_back(floats<4>(answers, places[2])[c]);
+        mean.push_back((one[c] + two[c]) / 2);
+    }
+    Deviation deviation = compare(measured, mean, std::vector<double>(4, relation.bound));
+    deviation.measured =
+        fmt::format("f(T1) = {}, f(T2) = {}, f(T3) = {}", format_vector(one), format_vector(two), deviation.measured);
+    deviation.expected = "f(T3) = (f(T1) + f(T2)) / 2 = " + deviation.expected;
+    return deviation;
 }
 
 double inside_texel(Random& random, int i, double lo, double hi)

@@ -1,6 +1,8 @@
 #pragma once
 #include "checks/check.h"
 
+#include <array>
+
 /// Oracles in double for texture lookups, with what a correct float implementation may be off by.
 namespace testat {
 struct Lookup {
@@ -24,6 +26,15 @@ Lookup trilinear(TextureData const& texture, glm::dvec2 uv, glm::dvec2 dudv);
 void store_uv(glm::dvec2 st, glm::ivec2 size, float* uv);
 
 Deviation compare_lookup(Answers const& answers, std::uint32_t index, Lookup const& right, Words words);
+
+/// One lookup in two textures, and the one that must give their mean: f(T3) = (f(T1) + f(T2)) / 2, in this order.
+struct MeanOfTextures {
+    std::array<LookupQuestion, 3> questions;
+    double bound;  ///< in each channel
+};
+
+Deviation compare_mean(Answers const& answers, MeanOfTextures const& relation,
+                       std::array<std::uint32_t, 3> const& places);
 
 /// A coordinate in texel `i`, at a fraction in [lo, hi).
 double inside_texel(Random& random, int i, double lo, double hi);

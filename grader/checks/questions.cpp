@@ -33,9 +33,9 @@ std::string hash(Request const& request)
     return sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
-Request unit_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
+Request unit_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed, std::string const& upload)
 {
-    Request request{rubric.limits, FunctionSet(), make_test_textures(seed), {}};
+    Request request{rubric.limits, FunctionSet(), make_test_textures(seed, upload), {}};
     for (auto const& function : rubric.functions) {
         if (!available.has(function.function))
             continue;
@@ -46,12 +46,14 @@ Request unit_questions(Rubric const& rubric, FunctionSet available, std::uint64_
 }
 }  // namespace
 
-Questions make_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed)
+Questions make_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed,
+                         std::string const& upload_sha256)
 {
-    // The test set's name must not depend on what an upload lacks, and which pictures are made on what it does.
-    Request everything = unit_questions(rubric, FunctionSet::all(), seed);
+    // The test set's name must not depend on what an upload lacks, and which pictures are made on what it does. What
+    // depends on the upload's bytes is taken as an upload with no hash at all would be asked.
+    Request everything = unit_questions(rubric, FunctionSet::all(), seed, "");
     for (auto const& [picture, functions] : pictures_of(rubric))
         everything.groups.push_back(submitted_group(picture, true));
-    return {unit_questions(rubric, available, seed), seed, hash(everything)};
+    return {unit_questions(rubric, available, seed, upload_sha256), seed, hash(everything)};
 }
 }  // namespace testat

@@ -1,6 +1,7 @@
 #include "checks/run_checks.h"
 
 #include "checks/check.h"
+#include "checks/mistakes/mistake.h"
 #include "checks/trouble.h"
 
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ private:
             return stopped(answers, result);
         Verdict const verdict = check_.judge(answers, textures_);
         result.passed = verdict.passed();
+        result.error = verdict.error();
         if (!result.passed)
             mismatch(answers, verdict, result);
     }
@@ -140,6 +142,7 @@ CheckResults check(Observations const& observations, Questions const& questions,
     [[maybe_unused]] int const failed = RUN_ALL_TESTS();  // what failed is in the results
     if (results.checks.size() != count_checks(rubric))
         throw std::runtime_error("not every check of the rubric was run");
+    results.mistakes = name_mistakes(results, observations, questions.request.textures);
     return results;
 }
 }  // namespace testat

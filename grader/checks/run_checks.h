@@ -12,8 +12,10 @@ struct Questions {
     std::string sha256;  ///< of what is asked of a whole upload: names the test set
 };
 
-/// The unit checks of the rubric for the functions that `available` has, isolated.
-Questions make_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed);
+/// The unit checks of the rubric for the functions that `available` has, isolated. Metamorphic checks ask what depends
+/// on the upload, too; the sha256 of the questions does not.
+Questions make_questions(Rubric const& rubric, FunctionSet available, std::uint64_t seed,
+                         std::string const& upload_sha256 = "");
 
 /// Observations -> CheckResults, without pictures yet. Runs every check of the rubric as a GoogleTest case (once in a
 /// process). Checks without an observation count as not passed.

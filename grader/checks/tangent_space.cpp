@@ -1,20 +1,28 @@
 #include "checks/matrices.h"
 #include "checks/oracles.h"
+#include "checks/relations.h"
+
+#include <fmt/format.h>
 
 namespace testat {
 namespace {
 constexpr int questions_each = 256;
 
 /// A right-handed frame: bitangent = tangent x normal.
+TangentSpaceQuestion make_question(glm::dmat3 const& frame, glm::dvec3 d)
+{
+    TangentSpaceQuestion q{};
+    store(d, q.d);
+    store(frame[0], q.tangent);
+    store(frame[1], q.normal);
+    store(frame[2], q.bitangent);
+    return q;
+}
+
 TangentSpaceQuestion random_frame(Random& random, double length)
 {
     glm::dmat3 const rotation(random_rotation(random));
-    TangentSpaceQuestion q{};
-    store(random_direction(random) * length, q.d);
-    store(rotation[0], q.tangent);
-    store(rotation[1], q.normal);
-    store(rotation[2], q.bitangent);
-    return q;
+    return make_question(rotation, random_direction(random) * length);
 }
 
 Group ask_unit(Random& random, Textures const&)
@@ -33,6 +41,35 @@ Group ask_lengths(Random& random, Textures const&)
         questions.push_back(random_frame(random, random.coin() ? length : 1 / length));
     }
     return make_group(Kind::tangent_space, questions);
+}
+
+/// f(Q^-1 d, R F Q) = R f(d, F) for a frame F and rotations.
+struct RotatedFrame {
+    std::array<TangentSpaceQuestion, 2> questions;
+    glm::dmat3 rotation;  ///< R
+};
+
+RotatedFrame rotate_frame(Random& random, Textures const&)
+{
+    glm::dmat3 const frame(random_rotation(random));
+    glm::dmat3 const left(random_rotation(random));
+    glm::dmat3 const right(random_rotation(random));
+    glm::dvec3 const d = random_direction(random);
+    return {{make_question(frame, d), make_question(left * frame * right, glm::transpose(right) * d)}, left};
+}
+
+/// Both answers may be off as tangent_space_deviation says, and the questions of both are rounded.
+Deviation compare_rotated(Answers const& answers, RotatedFrame const& relation,
+                          std::array<std::uint32_t, 2> const& places)
+{
+    glm::dvec3 const before = dvec3(floats<3>(answers, places[0]).data());
+    glm::dvec3 const right = relation.rotation * before;
+    auto const after = floats<3>(answers, places[1]);
+    Deviation d = compare({after.begin(), after.end()}, {right.x, right.y, right.z}, std::vector<double>(3, 64 * eps));
+    d.measured =
+        fmt::format("f(d, F) = {}, f(Q^-1 d, R F Q) = {}", format_vector({before.x, before.y, before.z}), d.measured);
+    d.expected = "f(Q^-1 d, R F Q) = R f(d, F) = " + d.expected;
+    return d;
 }
 }  // namespace
 
@@ -61,5 +98,7 @@ void add_tangent_space_checks(std::vector<UnitCheck>& checks)
     };
     add("OrthonormalFrames", ask_unit);
     add("LengthIsOne", ask_lengths);
+    checks.push_back(metamorphic_check("TangentSpace.RotatedFrame", Function::transform_direction_to_object_space,
+                                       Kind::tangent_space, rotate_frame, compare_rotated));
 }
 }  // namespace testat

@@ -46,6 +46,57 @@ glm::vec4 stripes(int, int x, int y)
     return {stripe(x), stripe(15 - x), stripe(y), stripe(15 - y)};
 }
 
+/// As `like`, with other colours.
+TextureData recoloured(TextureData like, Colour const& colour)
+{
+    for (int level = 0; level < int(like.levels.size()); ++level) {
+        glm::ivec2 const size = level_size(like, level);
+        like.levels[std::size_t(level)] = make_level(level, size.x, size.y, colour);
+    }
+    return like;
+}
+
+/// Exact in float where both are multiples of 2^-12.
+TextureData mean(TextureData const& a, TextureData const& b)
+{
+    return recoloured(
+        a, [&](int level, int x, int y) { return glm::vec4(0.5 * (texel(a, level, x, y) + texel(b, level, x, y))); });
+}
+
+TextureData mirrored(TextureData const& texture)
+{
+    return recoloured(texture, [&](int level, int x, int y) {
+        glm::ivec2 const size = level_size(texture, level);
+        return glm::vec4(texel(texture, level, size.x - 1 - x, size.y - 1 - y));
+    });
+}
+
+TextureData shifted(TextureData const& texture, glm::ivec2 shift)
+{
+    return recoloured(
+        texture, [&](int level, int x, int y) { return glm::vec4(texel(texture, level, x - shift.x, y - shift.y)); });
+}
+
+TextureData without_level_zero(TextureData texture)
+{
+    texture.levels.erase(texture.levels.begin());
+    return texture;
+}
+
+void add_unknown_textures(Random& random, Textures& textures)
+{
+    auto const noisy = noise(random);
+    TextureData const unknown_mip = level_zero_only(64, 64, noisy);
+    TextureData const unknown = with_levels(32, 32, Wrap::repeat, noisy);
+    TextureData const both = mean(at(textures, TestTexture::noise_square), unknown);
+    textures.push_back(unknown_mip);
+    textures.push_back(mean(at(textures, TestTexture::mip_square), unknown_mip));
+    textures.push_back(unknown);
+    textures.push_back(mirrored(both));
+    textures.push_back(without_level_zero(mirrored(both)));
+    textures.push_back(shifted(both, texture_shift));
+}
+
 int wrapped(int i, int size, Wrap wrap)
 {
     if (wrap == Wrap::clamp)
@@ -72,7 +123,7 @@ glm::vec4 coded(int level, int x, int y)
     return {float(level), float(x), float(y), 1.f};
 }
 
-Textures make_test_textures(std::uint64_t seed)
+Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
 {
     Random random(seed, "textures");
     glm::vec4 const one_colour = noise(random)(0, 0, 0) + 0.125f;
@@ -82,12 +133,17 @@ Textures make_test_textures(std::uint64_t seed)
     textures.push_back(with_levels(16, 16, Wrap::repeat, coded));
     textures.push_back(with_levels(32, 8, Wrap::repeat, coded));
     textures.push_back(with_levels(32, 8, Wrap::zero, coded));
+    textures.push_back(with_levels(32, 8, Wrap::clamp, coded));
     textures.push_back(with_levels(8, 8, Wrap::repeat, constant));
     textures.push_back(with_levels(32, 32, Wrap::repeat, noisy));
     textures.push_back(with_levels(64, 16, Wrap::repeat, noisy));
-    textures.push_back(with_levels(16, 16, Wrap::repeat, stripes));
+    textures.push_back(with_levels(16, 64, Wrap::repeat, noisy));
+    for (Wrap const wrap : {Wrap::repeat, Wrap::clamp, Wrap::zero})
+        textures.push_back(with_levels(16, 16, wrap, stripes));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
+    Random unknown(seed, std::string("unknown textures").append(upload_sha256));
+    add_unknown_textures(unknown, textures);
     return textures;
 }
 

@@ -1,6 +1,7 @@
 #include "compile/compile.h"
 
 #include "compile/diagnostics.h"
+#include "compile/mend.h"
 #include "compile/symbols.h"
 #include "process/run.h"
 #include "source/definitions.h"
@@ -18,6 +19,9 @@ constexpr char source_name[] = "exercise_03.cpp";
 constexpr char library_name[] = "upload.so";
 constexpr double compiler_cpu_s = 20;
 constexpr double compiler_wall_s = 60;
+/// All attempts to mend a file together.
+constexpr double mending_cpu_s = 40;
+constexpr double mending_wall_s = 60;
 constexpr std::size_t compiler_memory = std::size_t(2) << 30;
 constexpr std::size_t compiler_file_size = std::size_t(64) << 20;
 
@@ -50,11 +54,11 @@ bool may_be_precompiled(Submission const& submission, std::filesystem::path cons
     return std::includes(included.begin(), included.end(), precompiled.begin(), precompiled.end());
 }
 
-/// Empty if no header was precompiled for this compiler and standard, or if the upload must do without.
+/// Empty if no header was precompiled for this compiler, its standard and its flags, or if the upload must do without.
 Arguments precompiled_header(Submission const& submission, CompileOptions const& options, Installation const& where)
 {
     auto const header = where.headers / options.compiler / options.standard / "submission.h";
-    if (!may_be_precompiled(submission, header, where))
+    if (!options.flags.empty() || !may_be_precompiled(submission, header, where))
         return {};
     if (is_clang(options)) {
         auto const pch = header.string() + ".pch";
@@ -79,15 +83,17 @@ Arguments compiler_call(CompileOptions const& options, Installation const& where
                   is_clang(options) ? "-ferror-limit=20" : "-fmax-errors=20",
                   // #line could make the compiler quote any file of ours.
                   is_clang(options) ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret"});
+    append(call, options.flags);
     append(call, {"-shared", "-fuse-ld=mold", "-Wl,-z,defs", "-Wl,--as-needed", source_name, "-o", library_name,
                   (where.libraries / "libtestat_trampolines.so").string(),
                   (where.libraries / "libtestat_framework.so").string()});
     return call;
 }
 
-Finished call_compiler(Arguments const& call, std::filesystem::path const& directory)
+Finished call_compiler(Arguments const& call, std::filesystem::path const& directory, double cpu_s = compiler_cpu_s,
+                       double wall_s = compiler_wall_s)
 {
-    return run({call, directory, {}, compiler_cpu_s, compiler_wall_s, compiler_memory, compiler_file_size});
+    return run({call, directory, {}, cpu_s, wall_s, compiler_memory, compiler_file_size});
 }
 
 /// A full disk is our trouble, whatever the compiler says about it.
@@ -98,10 +104,10 @@ void check_space(std::filesystem::path const& directory)
         throw std::runtime_error("no space left in " + directory.string());
 }
 
-void write_source(Submission const& submission, std::filesystem::path const& directory)
+void write_source(std::string const& text, std::filesystem::path const& directory)
 {
     std::ofstream out(directory / source_name, std::ios::binary);
-    out << submission.text;
+    out << text;
     if (!out.flush())
         throw std::runtime_error("cannot write " + (directory / source_name).string());
 }
@@ -128,6 +134,62 @@ std::string describe(std::string const& compiler)
     return clean_text(std::string_view(text).substr(0, text.find('\n')), 120);
 }
 
+std::map<Function, SourceExcerpt> excerpts(std::string_view text, std::vector<Definition> const& definitions)
+{
+    constexpr std::size_t longest = 20'000;
+    std::map<Function, SourceExcerpt> result;
+    for (auto const& d : definitions)
+        result[d.function] = {d.line, clean_text(text.substr(d.begin, d.end - d.begin), longest)};
+    return result;
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Compiles texts until the time for all of them is used up.
+CompileText with_time_limit(Arguments const& call, std::filesystem::path const& directory)
+{
+    return [&call, &directory, start = Clock::now(), cpu_s = mending_cpu_s](std::string const& text) mutable {
+        double const wall_s = mending_wall_s - seconds_since(start);
+        Finished finished;
+        finished.timed_out = !(cpu_s > 0 && wall_s > 0);
+        if (finished.timed_out)
+            return finished;
+        write_source(text, directory);
+        finished = call_compiler(call, directory, std::min(cpu_s, compiler_cpu_s), wall_s);
+        cpu_s -= finished.cpu_s;
+        return finished;
+    };
+}
+
+void take_symbols(SymbolReport const& symbols, Build& build)
+{
+    build.defined = symbols.defined;
+    build.broken.insert(symbols.missing.begin(), symbols.missing.end());
+}
+
+/// The library of a file that does not compile, without the functions that are to blame for it.
+void compile_mended(Submission const& submission, Finished const& failed, Arguments const& call,
+                    std::filesystem::path const& directory, Installation const& where, Build& build)
+{
+    build.sources = excerpts(submission.text, recover_definitions(submission.text));
+    auto const mended = mend(submission.text, failed, source_name, submission.file, with_time_limit(call, directory));
+    if (!mended)
+        return;
+    auto const symbols = check_symbols(directory / library_name, submission.file, where);
+    if (symbols.defined == FunctionSet())
+        return;
+    build.mended = true;
+    build.library = directory / library_name;
+    build.broken = mended->broken;
+    build.untouched = same_bodies(mended->text, text_of(where.exercise_template));
+    take_symbols(symbols, build);
+}
+
 void run_compiler(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
                   Installation const& where, Build& build)
 {
@@ -137,40 +199,34 @@ void run_compiler(Submission const& submission, CompileOptions const& options, s
         compiler = call_compiler(compiler_call(options, where, {}), directory);
     if (compiler.exit_code != 0) {
         check_space(directory);
-        return note_failure(compiler, submission, build);
+        note_failure(compiler, submission, build);
+        return compile_mended(submission, compiler, compiler_call(options, where, header), directory, where, build);
     }
     build.library = directory / library_name;
-    auto symbols = check_symbols(build.library, submission.file, where);
-    build.defined = symbols.defined;
-    build.ok = symbols.diagnostics.empty();
-    build.diagnostics = std::move(symbols.diagnostics);
-}
-
-std::map<Function, SourceExcerpt> excerpts(std::string_view text)
-{
-    constexpr std::size_t longest = 20'000;
-    std::map<Function, SourceExcerpt> result;
-    for (auto const& d : find_definitions(text))
-        result[d.function] = {d.line, clean_text(text.substr(d.begin, d.end - d.begin), longest)};
-    return result;
+    auto const symbols = check_symbols(build.library, submission.file, where);
+    take_symbols(symbols, build);
+    build.diagnostics = symbols.duplicates;
+    for (auto const& [function, error] : symbols.missing)
+        build.diagnostics.push_back(error);
+    build.ok = build.diagnostics.empty();
 }
 }  // namespace
 
 Build compile(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
               Installation const& where)
 {
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = Clock::now();
     Build build;
     build.compiler = describe(options.compiler);
     if (submission.refused) {
         build.diagnostics.push_back({submission.file, 0, 0, "error", *submission.refused});
         return build;
     }
-    build.sources = excerpts(submission.text);
+    build.sources = excerpts(submission.text, find_definitions(submission.text));
     build.untouched = same_bodies(submission.text, text_of(where.exercise_template));
-    write_source(submission, directory);
+    write_source(submission.text, directory);
     run_compiler(submission, options, directory, where, build);
-    build.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    build.ms = 1e3 * seconds_since(start);
     return build;
 }
 }  // namespace testat

@@ -6,6 +6,7 @@ namespace testat {
 struct CompileOptions {
     std::string compiler = "g++";    ///< "g++" or "clang++"
     std::string standard = "c++17";  ///< the rubric's
+    std::vector<std::string> flags;  ///< behind our own
 };
 
 /// Reads what was handed in. A file that cannot be C++ (empty, binary, over 1 MB) is `refused`, which is a value.

@@ -35,8 +35,8 @@ std::optional<std::string_view> take_severity(std::string_view& text)
     return std::nullopt;
 }
 
-/// "file:line:column: severity: message", as g++ and clang++ write it.
-std::optional<Diagnostic> parse_compiler_line(std::string_view line)
+/// "file:line:column: text"; no severity if none stands before the text.
+std::optional<Diagnostic> parse_place(std::string_view line)
 {
     std::size_t const colon = line.find(':');
     if (colon == 0 || colon == std::string_view::npos)
@@ -47,12 +47,25 @@ std::optional<Diagnostic> parse_compiler_line(std::string_view line)
     d.line = take_number(rest).value_or(0);
     d.column = take_number(rest).value_or(0);
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    auto const severity = take_severity(rest);
-    if (!severity)
-        return std::nullopt;
-    d.severity = std::string(*severity);
+    d.severity = std::string(take_severity(rest).value_or(""));
     d.message = clean_text(rest, most_bytes);
     return d;
+}
+
+/// "file:line:column: severity: message", as g++ and clang++ write it.
+std::optional<Diagnostic> parse_compiler_line(std::string_view line)
+{
+    auto d = parse_place(line);
+    return d && !d->severity.empty() ? d : std::nullopt;
+}
+
+/// Takes a line off the front; what is longer than any message needs is left out.
+std::string_view take_line(std::string_view& text)
+{
+    std::size_t const end = std::min(text.find('\n'), text.size());
+    auto const line = text.substr(0, std::min<std::size_t>(end, 4096));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
 }
 
 bool is_linker(std::string const& program)
@@ -93,9 +106,7 @@ std::vector<Diagnostic> parse_diagnostics(std::string_view output, std::string c
 {
     std::vector<Diagnostic> found;
     while (!output.empty()) {
-        std::size_t const end = std::min(output.find('\n'), output.size());
-        auto d = parse_compiler_line(output.substr(0, std::min<std::size_t>(end, 4096)));
-        output.remove_prefix(std::min(end + 1, output.size()));
+        auto d = parse_compiler_line(take_line(output));
         if (!d || only_repeats(*d))
             continue;
         name_file(*d, source, shown);
@@ -105,5 +116,85 @@ std::vector<Diagnostic> parse_diagnostics(std::string_view output, std::string c
     if (found.size() > most)
         found.resize(most);
     return found;
+}
+
+namespace {
+/// Reads an output up to its second error.
+class FirstErrorReader {
+    static constexpr std::size_t most_uses = 32;
+
+public:
+    FirstErrorReader(std::string const& source, std::string const& shown) : source_(source), shown_(shown) {}
+
+    std::optional<FirstError> read(std::string_view output)
+    {
+        while (!output.empty() && !complete_)
+            read_line(take_line(output));
+        if (found_)
+            found_->lines.insert(found_->lines.end(), uses_.begin(), uses_.end());
+        return std::move(found_);
+    }
+
+private:
+    void read_line(std::string_view line)
+    {
+        constexpr std::string_view of_mold = ">>> ";
+        if (line.substr(0, of_mold.size()) == of_mold)
+            return note_referrer(line);
+        auto const d = parse_place(line);
+        if (!d)
+            return;
+        if (d->severity.empty() || d->severity == "note")
+            note_use(*d);
+        else
+            note_message(*d);
+    }
+
+    /// g++ says before an error which lines have led to it, "required from here"; both say it behind it in notes, "in
+    /// instantiation of", "in expansion of macro".
+    void note_use(Diagnostic const& d)
+    {
+        bool const leads_here = d.severity.empty() ? !found_ : found_ && d.message.rfind("in ", 0) == 0;
+        if (leads_here && d.file == source_ && d.line > 0 && uses_.size() < most_uses)
+            uses_.push_back(d.line);
+    }
+
+    void note_message(Diagnostic const& d)
+    {
+        complete_ = found_.has_value();
+        if (!complete_ && rank(d) == 0 && !only_repeats(d))
+            begin(d);
+        else if (!complete_)
+            uses_.clear();
+    }
+
+    void begin(Diagnostic d)
+    {
+        found_.emplace();
+        if (d.file == source_ && d.line > 0)
+            found_->lines.push_back(d.line);
+        name_file(d, source_, shown_);
+        found_->error = std::move(d);
+    }
+
+    /// ">>>               /tmp/ccU3.o:(function)"
+    void note_referrer(std::string_view line)
+    {
+        std::size_t const open = line.find(":(");
+        if (found_ && found_->referrer.empty() && open != std::string_view::npos && line.back() == ')')
+            found_->referrer = clean_text(line.substr(open + 2, line.size() - open - 3), most_bytes);
+    }
+
+    std::string const& source_;
+    std::string const& shown_;
+    std::optional<FirstError> found_;
+    std::vector<int> uses_;
+    bool complete_ = false;
+};
+}  // namespace
+
+std::optional<FirstError> find_first_error(std::string_view output, std::string const& source, std::string const& shown)
+{
+    return FirstErrorReader(source, shown).read(output);
 }
 }  // namespace testat

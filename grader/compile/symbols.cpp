@@ -48,7 +48,8 @@ std::set<std::string> framework_symbols(Installation const& where)
     return names;
 }
 
-/// The C++ declaration of a mangled name; the name itself if it is no such name or suspiciously long.
+}  // namespace
+
 std::string demangle(std::string const& name)
 {
     constexpr std::size_t longest = 300;
@@ -60,6 +61,7 @@ std::string demangle(std::string const& name)
     return clean_text(status == 0 ? text.get() : name.c_str(), 400);
 }
 
+namespace {
 bool declares(std::string const& declaration, std::string_view function)
 {
     std::size_t const at = declaration.find(std::string(function) + "(");
@@ -92,12 +94,12 @@ SymbolReport check_symbols(std::filesystem::path const& library, std::string con
             if (symbol.name == info(f).symbol && (is_strong(symbol) || symbol.type == 'W'))
                 report.defined = report.defined.with(f);
         if (is_strong(symbol) && (taken.count(symbol.name) > 0 || symbol.name == "main"))
-            report.diagnostics.push_back(
+            report.duplicates.push_back(
                 error(shown, "multiple definition: " + demangle(symbol.name) + " is part of the framework already"));
     }
     for (Function f : every_function())
         if (!report.defined.has(f))
-            report.diagnostics.push_back(error(shown, explain_missing(f, symbols)));
+            report.missing[f] = error(shown, explain_missing(f, symbols));
     return report;
 }
 }  // namespace testat

@@ -5,11 +5,14 @@
 namespace testat {
 /// What an upload's library says about itself.
 struct SymbolReport {
-    FunctionSet defined;                  ///< of the eleven
-    std::vector<Diagnostic> diagnostics;  ///< functions missing or with another signature, definitions that the
-                                          ///< framework has already
+    FunctionSet defined;                     ///< of the eleven
+    std::map<Function, Diagnostic> missing;  ///< not defined, or with another signature
+    std::vector<Diagnostic> duplicates;      ///< definitions that the framework has already
 };
 
 /// Reads the dynamic symbols of a library that was compiled from `shown`.
 SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where);
+
+/// The C++ declaration of a mangled name; the name itself if it is no such name or suspiciously long.
+std::string demangle(std::string const& name);
 }  // namespace testat

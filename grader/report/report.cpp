@@ -78,6 +78,7 @@ Report check_part(RubricCheck const& check, CheckResult const& result, ReportOpt
             {"essential", check.essential},
             {"weight", check.weight},
             {"detail", options.for_tutor && !result.detail.empty() ? Report(result.detail) : Report(nullptr)},
+            {"error", options.for_tutor && result.error ? number(*result.error) : Report(nullptr)},
             {"hint", hint_part(check, result)},
             {"worst_input", worst_input_part(result)}};
 }
@@ -98,20 +99,35 @@ CheckResult const& result_of(CheckResults const& results, RubricCheck const& che
     return found == results.checks.end() ? none : *found;
 }
 
+/// What is said of the mistake that was recognised; null if none was, or the rubric has no words for it.
+Report mistake_part(CheckResults const& results, RubricFunction const& function)
+{
+    auto const named = results.mistakes.find(function.function);
+    if (named == results.mistakes.end())
+        return nullptr;
+    for (auto const& mistake : function.mistakes)
+        if (mistake.id == named->second)
+            return {{"id", mistake.id}, {"de", mistake.text.de}, {"en", mistake.text.en}};
+    return nullptr;
+}
+
 Report function_part(RubricFunction const& function, FunctionGrade const& grade, Build const& build,
                      CheckResults const& results, ReportOptions const& options)
 {
     Report checks = Report::array();
     for (auto const& check : function.checks)
         checks.push_back(check_part(check, result_of(results, check), options));
-    return {{"task", std::string(1, function.task)},
-            {"earned", grade.earned},
-            {"max", grade.max},
-            {"unit", grade.unit},
-            {"picture", grade.picture},
-            {"source", source_part(build, function.function)},
-            {"verdict", verdict_names[static_cast<int>(grade.verdict)]},
-            {"checks", checks}};
+    Report part = {{"task", std::string(1, function.task)},
+                   {"earned", grade.earned},
+                   {"max", grade.max},
+                   {"unit", grade.unit},
+                   {"picture", grade.picture},
+                   {"source", source_part(build, function.function)},
+                   {"verdict", verdict_names[static_cast<int>(grade.verdict)]},
+                   {"checks", checks}};
+    if (Report mistake = mistake_part(results, function); !mistake.is_null())
+        part["mistake"] = std::move(mistake);
+    return part;
 }
 
 Report functions_part(Grade const& grade, Build const& build, CheckResults const& results, Rubric const& rubric,
@@ -124,6 +140,28 @@ Report functions_part(Grade const& grade, Build const& build, CheckResults const
             function_part(function, grade.functions[i], build, results, options);
     }
     return functions;
+}
+
+/// What the functions that compile would earn, and why the others do not.
+Report unofficial_part(Grade const& grade, Build const& build)
+{
+    double earned = 0;
+    double max = 0;
+    Report functions = Report::object();
+    for (auto const& function : grade.unofficial) {
+        earned += function.earned;
+        max += function.max;
+        functions[std::string(info(function.function).name)] = {
+            {"earned", function.earned},
+            {"max", function.max},
+            {"unit", function.unit},
+            {"picture", function.picture},
+            {"verdict", verdict_names[static_cast<int>(function.verdict)]}};
+    }
+    Report broken = Report::object();
+    for (auto const& [function, error] : build.broken)
+        broken[std::string(info(function).name)] = {{"line", error.line}, {"message", error.message}};
+    return {{"earned", earned}, {"max", max}, {"functions", functions}, {"broken", broken}};
 }
 
 Report tasks_part(Grade const& grade, Rubric const& rubric)
@@ -200,18 +238,21 @@ Report timing_part(Timing const& timing)
 Report make_report(Submission const& submission, Build const& build, CheckResults const& results, Grade const& grade,
                    Rubric const& rubric, TestSet const& test_set, Timing const& timing, ReportOptions const& options)
 {
-    return {{"schema_version", 1},
-            {"status", "graded"},
-            {"submission", submission_part(submission)},
-            {"test_set", test_set_part(test_set)},
-            {"build", build_part(build)},
-            {"points", points_part(grade)},
-            {"policy", policy_part(grade)},
-            {"functions", functions_part(grade, build, results, rubric, options)},
-            {"tasks", tasks_part(grade, rubric)},
-            {"pictures", pictures_part(results)},
-            {"run_time", run_time_part(results)},
-            {"timing", timing_part(timing)}};
+    Report report = {{"schema_version", 1},
+                     {"status", "graded"},
+                     {"submission", submission_part(submission)},
+                     {"test_set", test_set_part(test_set)},
+                     {"build", build_part(build)},
+                     {"points", points_part(grade)},
+                     {"policy", policy_part(grade)},
+                     {"functions", functions_part(grade, build, results, rubric, options)},
+                     {"tasks", tasks_part(grade, rubric)},
+                     {"pictures", pictures_part(results)},
+                     {"run_time", run_time_part(results)},
+                     {"timing", timing_part(timing)}};
+    if (!grade.unofficial.empty())
+        report["unofficial"] = unofficial_part(grade, build);
+    return report;
 }
 
 Report make_not_gradable(Submission const& submission, TestSet const& test_set, std::string const& error)

@@ -29,6 +29,7 @@ constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
 constexpr Term hint{"Hinweis", "hint"};
+constexpr Term cause{"Ursache", "cause"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
 constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
@@ -36,6 +37,18 @@ constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
 constexpr Term not_gradable{"NICHT BEWERTBAR (kein Fehler der Abgabe)", "NOT GRADABLE (not the upload's fault)"};
 constexpr Term does_not_build{"Die Datei lässt sich nicht übersetzen oder binden:",
                               "The file does not compile or link:"};
+constexpr Term broken_functions{
+    "Die Datei lässt sich nicht übersetzen oder binden. Der erste Fehler jeder betroffenen Funktion:",
+    "The file does not compile or link. The first error of each function that is to blame:"};
+constexpr Term line_term{"Zeile", "line"};
+constexpr Term broken{"kompiliert nicht", "does not compile"};
+constexpr Term unofficially{"inoffiziell für das, was kompiliert", "unofficially, for what compiles"};
+constexpr Term unofficial_table{
+    "Inoffiziell: was die Funktionen, die kompilieren, einbringen würden. Das zählt erst, wenn die ganze Datei "
+    "kompiliert.",
+    "Unofficially: what the functions that compile would earn. It counts only once the whole file compiles."};
+constexpr Term nothing_alone{"Auch einzeln ließ sich keine Funktion bewerten.",
+                             "No function could be graded by itself either."};
 constexpr Term public_only{"Nur die öffentlichen Prüfungen sind gezählt; die Tutoren prüfen mehr.",
                            "Only the public checks are counted; the tutors check more."};
 
@@ -126,13 +139,25 @@ private:
              points.at("earned").get<double>(), say(of), points.at("max").get<double>(), say(points_term),
              say(points.at("passed_60_percent").get<bool>() ? pass : fail));
         for (auto const& policy : report_.at("policy").at("applied"))
-            line("  {}",
-                 wrap(fmt::format("{}: {}; {}: {:.2f}", say(rule), say(policy == "crashes" ? crashes : not_compiled),
-                                  say(without_rule), report_.at("policy").at("earned_without").get<double>()),
-                      4));
+            line("  {}", wrap(fmt::format("{}: {}; {}", say(rule), say(policy == "crashes" ? crashes : not_compiled),
+                                          alternative()),
+                              4));
         if (is_public_only())
             line("  {}", say(public_only));
     }
+
+    /// What there would be without the sheet's rule.
+    std::string alternative() const
+    {
+        if (!has_unofficial())
+            return fmt::format("{}: {:.2f}", say(without_rule),
+                               report_.at("policy").at("earned_without").get<double>());
+        auto const& points = report_.at("unofficial");
+        return fmt::format("{}: {:.2f} {} {:.2f}", say(unofficially), points.at("earned").get<double>(), say(of),
+                           points.at("max").get<double>());
+    }
+
+    bool has_unofficial() const { return report_.contains("unofficial"); }
 
     bool is_public_only() const
     {
@@ -148,11 +173,27 @@ private:
         auto const& build = report_.at("build");
         if (build.at("ok").get<bool>())
             return;
+        if (has_unofficial())
+            return broken_list();
         constexpr std::size_t shown = 3;
         line("\n{}", say(does_not_build));
         auto const& all = build.at("diagnostics");
         for (std::size_t i = 0; i < std::min(shown, all.size()); ++i)
             line("  {}", wrap(diagnostic(all[i]), 4));
+        if (report_.at("policy").at("earned_without") == 0)
+            line("{}", say(nothing_alone));
+    }
+
+    void broken_list()
+    {
+        line("\n{}", wrap(say(broken_functions), 0));
+        for (auto const& [name, error] : report_.at("unofficial").at("broken").items()) {
+            std::string place = name;
+            if (int const number = error.at("line").get<int>(); number > 0)
+                place += fmt::format(", {} {}", say(line_term), number);
+            line("  {}", wrap(fmt::format("{}: {}", place, text(error.at("message"))), 4));
+        }
+        line("\n{}", wrap(say(unofficial_table), 0));
     }
 
     static std::string diagnostic(Report const& d)
@@ -164,23 +205,54 @@ private:
                            text(d.at("message")));
     }
 
-    void points_line(std::string const& left, Report const& graded)
+    void points_line(std::string const& left, double earned, Report const& max)
     {
         std::string const padding(std::max<std::size_t>(columns - 14, width(left)) - width(left), ' ');
-        line("{}{}{:>5.2f} / {:>5.2f}", left, padding, graded.at("earned").get<double>(),
-             graded.at("max").get<double>());
+        line("{}{}{:>5.2f} / {:>5.2f}", left, padding, earned, max.get<double>());
     }
 
+    /// Unofficial points where there are any.
     void table()
     {
         for (auto const& task : report_.at("tasks")) {
             out_ += "\n";
-            points_line(fmt::format("{} {}) {}", say(task_term), text(task.at("id")), phrase(task.at("title"))), task);
+            points_line(fmt::format("{} {}) {}", say(task_term), text(task.at("id")), phrase(task.at("title"))),
+                        earned_in(task), task.at("max"));
             for (auto const& [name, function] : report_.at("functions").items())
                 if (function.at("task") == task.at("id"))
-                    points_line(fmt::format("    {:<40}{}", name, say(verdict_term(text(function.at("verdict"))))),
-                                function);
+                    points_line(fmt::format("    {:<40}{}", name, say(word_for(name))), earned_by(name),
+                                function.at("max"));
         }
+    }
+
+    /// The function as the table shows it; null if it is broken.
+    Report const* graded(std::string const& name) const
+    {
+        auto const& functions = has_unofficial() ? report_.at("unofficial").at("functions") : report_.at("functions");
+        auto const found = functions.find(name);
+        return found == functions.end() ? nullptr : &*found;
+    }
+
+    double earned_by(std::string const& name) const
+    {
+        auto const* const function = graded(name);
+        return function == nullptr ? 0 : function->at("earned").get<double>();
+    }
+
+    double earned_in(Report const& task) const
+    {
+        double sum = 0;
+        for (auto const& [name, function] : report_.at("functions").items())
+            sum += function.at("task") == task.at("id") ? earned_by(name) : 0;
+        return sum;
+    }
+
+    Term word_for(std::string const& name) const
+    {
+        if (auto const* const function = graded(name))
+            return verdict_term(text(function->at("verdict")));
+        bool const missing = report_.at("functions").at(name).at("verdict") == "missing";
+        return missing ? verdict_term("missing") : broken;
     }
 
     /// Of each function the first check that failed, or that has something to say.
@@ -189,12 +261,14 @@ private:
         for (auto const& [name, function] : report_.at("functions").items())
             for (auto const& check : function.at("checks"))
                 if (!check.at("hint").is_null()) {
-                    mistake(name, check);
+                    first_mistake(name, check);
+                    if (function.contains("mistake"))
+                        labelled(cause, phrase(function.at("mistake")));
                     break;
                 }
     }
 
-    void mistake(std::string const& function, Report const& check)
+    void first_mistake(std::string const& function, Report const& check)
     {
         line("\n{}: {}", function, text(check.at("name")));
         if (auto const& worst = check.at("worst_input"); !worst.is_null()) {
@@ -212,11 +286,11 @@ private:
     /// Those that differ as submitted or in isolation.
     void pictures()
     {
-        if (report_.at("run_time").empty() && !report_.at("build").at("ok").get<bool>())
+        if (!has_unofficial() && report_.at("run_time").empty() && !report_.at("build").at("ok").get<bool>())
             return;  // nothing was run
         bool any = false;
         for (auto const& picture : report_.at("pictures")) {
-            if (!picture.contains("explained_by") && picture.at("score") == 1)
+            if (finding(picture).empty())
                 continue;
             if (!any)
                 line("\n{}", say(pictures_term));
@@ -225,12 +299,13 @@ private:
         }
     }
 
-    /// Whether nobody has written a function yet whose points depend on the picture.
+    /// Whether nobody has written a function yet, that compiles, whose points depend on the picture.
     bool is_unwritten(Report const& picture) const
     {
         auto const& functions = picture.at("functions");
         return std::all_of(functions.begin(), functions.end(), [&](Report const& name) {
-            return report_.at("functions").at(text(name)).at("verdict") == "missing";
+            auto const* const function = graded(text(name));
+            return function == nullptr || function->at("verdict") == "missing";
         });
     }
 

@@ -40,6 +40,8 @@ RubricFunction read_function(std::string const& name, Json const& json)
     result.pictures = json.at("pictures").get<std::vector<std::string>>();
     for (auto const& check : json.at("checks"))
         result.checks.push_back(read_check(check));
+    for (auto const& mistake : json.value("mistakes", Json::array()))
+        result.mistakes.push_back({mistake.at("id"), read_phrase(mistake.at("text"))});
     return result;
 }
 

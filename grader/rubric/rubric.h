@@ -14,12 +14,19 @@ struct RubricCheck {
     Phrase hint;
 };
 
+/// What a student reads whose answers are those of a known wrong solution.
+struct RubricMistake {
+    std::string id;
+    Phrase text;
+};
+
 struct RubricFunction {
     Function function{};
     char task = 'a';
     double points = 0;
     std::vector<std::string> pictures;
     std::vector<RubricCheck> checks;  ///< weights add up to 1
+    std::vector<RubricMistake> mistakes;
 };
 
 struct RubricTask {

@@ -56,11 +56,17 @@ bool any_ended(CheckResults const& results, RubricFunction const& function, std:
     return false;
 }
 
+/// Of a function of which nothing was run as it stands in the file.
+FunctionVerdict unrun_verdict(Build const& build, RubricFunction const& function)
+{
+    return build.sources.count(function.function) > 0 ? FunctionVerdict::wrong : FunctionVerdict::missing;
+}
+
 FunctionVerdict verdict(CheckResults const& results, Build const& build, RubricFunction const& function,
                         FunctionGrade const& grade)
 {
-    if (build.library.empty() && build.sources.count(function.function) > 0)
-        return FunctionVerdict::wrong;  // it is there, but nothing of the file could be run
+    if (build.library.empty())
+        return unrun_verdict(build, function);
     if (!build.written().has(function.function))
         return FunctionVerdict::missing;
     if (any_ended(results, function, {Ended::timed_out}))
@@ -84,6 +90,17 @@ FunctionGrade grade_function(CheckResults const& results, Build const& build, Ru
     grade.picture = picture_share(results, function);
     grade.earned = round_half_up(grade.max * std::min(grade.unit, (1 + grade.picture) / 2), rubric.rounding);
     grade.verdict = verdict(results, build, function, grade);
+    return grade;
+}
+
+/// What a function of a file that does not compile has, whatever it would earn alone.
+FunctionGrade nothing_earned(Build const& build, RubricFunction const& function)
+{
+    FunctionGrade grade;
+    grade.function = function.function;
+    grade.max = function.points;
+    grade.picture = picture_share({}, function);
+    grade.verdict = unrun_verdict(build, function);
     return grade;
 }
 
@@ -120,7 +137,10 @@ Grade score(CheckResults const& results, Build const& build, Rubric const& rubri
 {
     Grade grade;
     for (auto const& function : rubric.functions) {
-        grade.functions.push_back(grade_function(results, build, rubric, function));
+        FunctionGrade const graded = grade_function(results, build, rubric, function);
+        grade.functions.push_back(build.mended ? nothing_earned(build, function) : graded);
+        if (!build.broken.empty() && build.broken.count(function.function) == 0)
+            grade.unofficial.push_back(graded);
         grade.earned += grade.functions.back().earned;
         grade.max += function.points;
     }

@@ -13,22 +13,50 @@ namespace {
 class Parser {
 public:
     explicit Parser(std::string_view text)
-        : text_(text), tokens_(lex(text).tokens), closing_(tokens_.size(), tokens_.empty() ? 0 : tokens_.size() - 1)
+        : text_(text),
+          tokens_(lex(text).tokens),
+          closing_(tokens_.size(), tokens_.empty() ? 0 : tokens_.size() - 1),
+          matched_(tokens_.size(), false)
     {
         match('(', ')');
         match('{', '}');
+        for (std::size_t i = 0; i < tokens_.size(); ++i)
+            if (is(i, '{') || is(i, ';') || is(i, '}'))
+                stops_.push_back(i);
+        stops_.push_back(tokens_.size());
     }
 
     std::vector<Definition> definitions()
     {
         std::size_t begin = 0;
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (auto const found = definition(begin, i)) {
-                found_.push_back(found->first);
-                i = found->second;
+            if (auto const found = head(i)) {
+                std::size_t const last = closing_[found->body];
+                found_.push_back(define(begin, *found, last));
+                i = last;
                 begin = i + 1;
             } else if (is(i, '{')) {
                 i = closing_[i];
+                begin = i + 1;
+            } else if (is(i, ';')) {
+                begin = i + 1;
+            }
+        }
+        return std::move(found_);
+    }
+
+    std::vector<Definition> recovered()
+    {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (auto const torn = torn_head(i)) {
+                begin = add_up_to_next(begin, *torn);
+                i = begin - 1;
+            } else if (is(i, '{')) {
+                i = closing_[i];
+                begin = i + 1;
+            } else if (is(i, '}')) {
+                take_surplus(i);
                 begin = i + 1;
             } else if (is(i, ';')) {
                 begin = i + 1;
@@ -58,6 +86,7 @@ private:
                 waiting.push_back(i);
             } else if (is(i, close) && !waiting.empty()) {
                 closing_[waiting.back()] = i;
+                matched_[i] = matched_[waiting.back()] = true;
                 waiting.pop_back();
             }
         }
@@ -79,12 +108,21 @@ private:
 
     static bool is_member(Function function) { return info(function).symbol.substr(0, 3) == "_ZN"; }
 
-    /// The definition whose name is token i, with its last token.
-    std::optional<std::pair<Definition, std::size_t>> definition(std::size_t begin, std::size_t i)
+    struct Head {
+        Function function;
+        std::size_t body;  ///< token of the opening brace
+    };
+
+    /// Which of the eleven is defined, declared or called with the name that is token i.
+    std::optional<Function> named_before_parenthesis(std::size_t i) const
     {
-        if (!tokens_[i].identifier || !is(i + 1, '('))
-            return std::nullopt;
-        auto const function = named(i);
+        return tokens_[i].identifier && is(i + 1, '(') ? named(i) : std::nullopt;
+    }
+
+    /// What is defined under the name that is token i.
+    std::optional<Head> head(std::size_t i) const
+    {
+        auto const function = named_before_parenthesis(i);
         if (!function)
             return std::nullopt;
         std::size_t body = closing_[i + 1] + 1;
@@ -92,9 +130,61 @@ private:
             ++body;  // const, noexcept, override
         if (!is(body, '{'))
             return std::nullopt;
-        std::size_t const last = closing_[body];
+        return Head{*function, body};
+    }
+
+    /// The same where a parenthesis or the brace may be missing: `body` is then the last token that can belong to the
+    /// head.
+    std::optional<Head> torn_head(std::size_t i) const
+    {
+        if (auto const whole = head(i))
+            return whole;
+        auto const function = named_before_parenthesis(i);
+        if (!function || is(closing_[i + 1] + 1, ';'))
+            return std::nullopt;
+        std::size_t const stop = *std::lower_bound(stops_.begin(), stops_.end(), i);
+        if (stop == tokens_.size() || is(stop, '}'))
+            return std::nullopt;
+        return Head{*function, is(stop, '{') ? stop : std::min(stop, closing_[i + 1])};
+    }
+
+    Definition define(std::size_t begin, Head const& head, std::size_t last)
+    {
         std::size_t const start = tokens_[begin].begin;
-        return std::pair{Definition{*function, start, tokens_[body].begin, tokens_[last].end, line_of(start)}, last};
+        return {head.function, start, tokens_[head.body].begin, tokens_[last].end, line_of(start)};
+    }
+
+    /// Adds the definition, up to where another one begins in it; gives the first token behind it. Nothing that
+    /// compiles has a qualified definition in a function, but a class there may have members of any name.
+    std::size_t add_up_to_next(std::size_t begin, Head const& head)
+    {
+        std::size_t const last = is(head.body, '{') ? closing_[head.body] : head.body;
+        std::size_t end = last + 1;
+        for (std::size_t next = head.body + 1; next < last && end > last; ++next) {
+            auto const inner = this->head(next);
+            if (inner && (!matched_[head.body] || is_member(inner->function)))
+                end = begin_of_statement(next, head.body);
+        }
+        found_.push_back(define(begin, head, end - 1));
+        found_.back().closed = end > last;
+        if (end > last && is(head.body, '{') && !matched_[head.body])
+            found_.back().end = text_.size();
+        return end;
+    }
+
+    /// The first token behind the `;` or brace before token i, but behind token `before`.
+    std::size_t begin_of_statement(std::size_t i, std::size_t before) const
+    {
+        while (i > before + 1 && !is(i - 1, ';') && !is(i - 1, '{') && !is(i - 1, '}'))
+            --i;
+        return i;
+    }
+
+    /// A closing brace that closes nothing belongs to the definition before it.
+    void take_surplus(std::size_t i)
+    {
+        if (!found_.empty() && !matched_[i])
+            found_.back().end = tokens_[i].end;
     }
 
     /// Positions come in ascending order, so every line is counted once.
@@ -109,7 +199,9 @@ private:
     std::string_view text_;
     std::vector<Token> tokens_;
     std::vector<std::size_t> closing_;
-    std::size_t counted_ = 0;  ///< how far lines are counted
+    std::vector<bool> matched_;       ///< parentheses and braces that have a partner
+    std::vector<std::size_t> stops_;  ///< braces and semicolons, and the end of all tokens
+    std::size_t counted_ = 0;         ///< how far lines are counted
     int line_ = 1;
     std::vector<Definition> found_;
 };
@@ -123,6 +215,11 @@ std::string_view between(std::string_view text, std::size_t begin, std::size_t e
 std::vector<Definition> find_definitions(std::string_view text)
 {
     return Parser(text).definitions();
+}
+
+std::vector<Definition> recover_definitions(std::string_view text)
+{
+    return Parser(text).recovered();
 }
 
 std::string replace_body(std::string_view text, Function function, std::string_view body)

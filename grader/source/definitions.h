@@ -10,15 +10,21 @@ namespace testat {
 /// One function definition at namespace scope. Positions are byte offsets into the text.
 struct Definition {
     Function function;
-    std::size_t begin;  ///< first character of the return type
-    std::size_t body;   ///< the opening brace
-    std::size_t end;    ///< behind the closing brace
-    int line;           ///< of `begin`, counted from 1
+    std::size_t begin;   ///< first character of the return type
+    std::size_t body;    ///< the opening brace
+    std::size_t end;     ///< behind the closing brace
+    int line;            ///< of `begin`, counted from 1
+    bool closed = true;  ///< false if the next one begins before the closing brace; only recover_definitions says so
 };
 
 /// All definitions in order of appearance. Comments, literals, raw strings and preprocessor lines are skipped; text
 /// that is not C++ gives what can be recognised and never fails.
 std::vector<Definition> find_definitions(std::string_view text);
+
+/// The same for text that does not compile because of its braces: a function without its closing brace ends where the
+/// next of the eleven begins, one with a closing brace too many at the last of them. One whose opening brace is
+/// missing, or the parenthesis behind its parameters, is found, too; `body` may be no brace then.
+std::vector<Definition> recover_definitions(std::string_view text);
 
 /// The text with the body of `function` replaced; unchanged if it is not defined there.
 std::string replace_body(std::string_view text, Function function, std::string_view body);

@@ -25,8 +25,10 @@ std::string stress_file(StressFile const& options, Installation const& where)
     Submission const submission = read_submission(options.file);
     make_directory(options.out);
     TemporaryDirectory const workplace;
-    Build const build =
-        compile(submission, {options.compiler, read_rubric(where.rubric).standard}, workplace.path(), where);
+    CompileOptions compile_options;
+    compile_options.compiler = options.compiler;
+    compile_options.standard = read_rubric(where.rubric).standard;
+    Build const build = compile(submission, compile_options, workplace.path(), where);
     auto const results = build.library.empty() ? std::vector<FunctionStress>() : stress(build, options.stress, where);
     Report const document = stress_to_json(submission, build, options.stress, results);
     write_atomically(options.out / "stress.json", to_text(document));

@@ -77,6 +77,18 @@ Build whole_build()
     return build;
 }
 
+Build mended_build()
+{
+    Build build = whole_build();
+    build.ok = false;
+    build.mended = true;
+    build.broken[Function::wrap_clamp] = {"exercise_03.cpp", 3, 1, "error", "'x' was not declared"};
+    build.diagnostics = {build.broken[Function::wrap_clamp]};
+    build.defined = FunctionSet::all().without(Function::wrap_clamp);
+    build.sources[Function::wrap_clamp] = {2, "int wrap_clamp() { x }"};
+    return build;
+}
+
 CheckResult& find_result(CheckResults& results, std::string const& name)
 {
     for (auto& result : results.checks)

@@ -13,5 +13,8 @@ CheckResults passed_results(Rubric const& rubric);
 /// Compiles, and defines all functions.
 Build whole_build();
 
+/// Does not compile, because of line 3 in wrap_clamp.
+Build mended_build();
+
 CheckResult& find_result(CheckResults& results, std::string const& name);
 }  // namespace testat

@@ -71,6 +71,15 @@ TEST(MakeQuestions, NamesTheTestSetByItsContent)
     EXPECT_NE(make_questions(fewer_pictures, FunctionSet::all(), 1).sha256, one);
 }
 
+TEST(MakeQuestions, NamesTheTestSetTheSameForEveryUpload)
+{
+    Questions const one = make_questions(rubric(), FunctionSet::all(), 1, "one");
+    Questions const other = make_questions(rubric(), FunctionSet::all(), 1, "other");
+    EXPECT_EQ(one.sha256, other.sha256);
+    EXPECT_NE(serialize(one.request), serialize(other.request));
+    EXPECT_EQ(serialize(one.request), serialize(make_questions(rubric(), FunctionSet::all(), 1, "one").request));
+}
+
 TEST(MakeQuestions, RefusesChecksThatAreNotThere)
 {
     Rubric wrong = rubric();

@@ -63,7 +63,7 @@ TEST(TestTextures, HaveTheSizesTheirNamesSay)
 TEST(TestTextures, HaveOnlyLevelZeroWhereMipLevelsAreAsked)
 {
     Textures const t = make_test_textures(1);
-    for (auto i = std::size_t(TestTexture::mip_small); i < t.size(); ++i)
+    for (auto i = std::size_t(TestTexture::mip_small); i < std::size_t(TestTexture::unknown); ++i)
         EXPECT_EQ(t[i].levels.size(), 1u) << i;
 }
 
@@ -77,6 +77,31 @@ TEST(TestTextures, HaveStripesWithSteepSteps)
     TextureData const t = at(make_test_textures(1), TestTexture::stripes);
     for (int i = 0; i < 16; ++i)
         EXPECT_GE(std::abs(texel(t, 0, i, 0).r - texel(t, 0, i + 1, 0).r), 0.25) << i;
+}
+
+TEST(TestTextures, HoldMeansOfWhatIsKnownAndWhatIsNot)
+{
+    Textures const t = make_test_textures(1, "upload");
+    auto const mean = [&](int level, int x, int y) {
+        return 0.5 *
+               (texel(at(t, TestTexture::noise_square), level, x, y) + texel(at(t, TestTexture::unknown), level, x, y));
+    };
+    EXPECT_EQ(texel(at(t, TestTexture::unknown_mean_mirrored), 0, 31 - 3, 31 - 7), mean(0, 3, 7));
+    EXPECT_EQ(texel(at(t, TestTexture::unknown_mean_mirrored), 2, 7 - 3, 7 - 5), mean(2, 3, 5));
+    EXPECT_EQ(texel(at(t, TestTexture::unknown_mean_coarser), 0, 15 - 3, 15 - 5), mean(1, 3, 5));
+    EXPECT_EQ(texel(at(t, TestTexture::unknown_mean_shifted), 0, 30 + texture_shift.x, 2 + texture_shift.y),
+              mean(0, 30, 2));
+    EXPECT_EQ(
+        texel(at(t, TestTexture::unknown_mip_mean), 0, 63, 5),
+        0.5 * (texel(at(t, TestTexture::mip_square), 0, 63, 5) + texel(at(t, TestTexture::unknown_mip), 0, 63, 5)));
+}
+
+TEST(TestTextures, DependOnTheUploadOnlyWhereTheyAreUnknown)
+{
+    Textures const one = make_test_textures(1, "one");
+    Textures const other = make_test_textures(1, "other");
+    for (std::size_t i = 0; i < one.size(); ++i)
+        EXPECT_EQ(one[i].levels[0].texels == other[i].levels[0].texels, i < std::size_t(TestTexture::unknown_mip)) << i;
 }
 
 TEST(TestTextures, DependOnTheSeed)

@@ -28,7 +28,8 @@ void for_every_check(Test const& test)
 /// Where the answers of a check are counted in whole numbers.
 bool counts(UnitCheck const& check)
 {
-    static std::set<std::string> const names = {"Intersect.HitsAndMisses", "CreateMipmap.SquareSizes"};
+    static std::set<std::string> const names = {"Intersect.HitsAndMisses", "Intersect.MovedScene",
+                                                "CreateMipmap.SquareSizes"};
     return check.function == Function::wrap_clamp || check.function == Function::wrap_repeat ||
            names.count(check.name) > 0;
 }
@@ -53,6 +54,13 @@ void spoil(UnitCheck const& check, std::uint32_t index, float factor, Answers& a
         value *= factor;
         std::memcpy(words + i, &value, sizeof value);
     }
+}
+
+bool depends_on_the_upload(UnitCheck const& check)
+{
+    static Textures const one = make_test_textures(1, "one"), other = make_test_textures(1, "other");
+    return check.name == "CreateMipmap.LinearInTheTexture" ||
+           questions_of(check, 1, one).questions != questions_of(check, 1, other).questions;
 }
 
 bool is_zero(Answers const& answers, std::uint32_t index)
@@ -158,7 +166,9 @@ TEST(UnitChecks, NameTheWrongAnswer)
         Verdict const verdict = check.judge(answers, textures);
         bool const pairs =
             check.name.find("Gradients") != std::string::npos || check.name == "EvaluateBilinear.NegativeCoordinates";
-        EXPECT_EQ(verdict.question(), pairs ? index | 1 : index);
+        if (!depends_on_the_upload(check)) {  // there another question of the same relation may be named
+            EXPECT_EQ(verdict.question(), pairs ? index | 1 : index);
+        }
         EXPECT_NE(verdict.deviation().measured, "");
         EXPECT_NE(verdict.deviation().expected, "");
     });
@@ -177,7 +187,9 @@ TEST(UnitChecks, AskSomethingElseForAnotherSeed)
         bool const always_the_same = check.function == Function::create_mipmap;  // there the texels change
         bool const same = questions_of(check, 1, make_test_textures(1)).questions ==
                           questions_of(check, 2, make_test_textures(2)).questions;
-        EXPECT_EQ(same, always_the_same) << check.name;
+        if (check.name != "CreateMipmap.LinearInTheTexture") {  // the same three textures, in any order
+            EXPECT_EQ(same, always_the_same) << check.name;
+        }
     }
 }
 

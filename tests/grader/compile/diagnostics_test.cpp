@@ -128,4 +128,79 @@ TEST(ParseDiagnostics, HasNoNegativePlaces)
         EXPECT_GE(d.column, 0);
     }
 }
+
+namespace {
+/// "message @ lines < referrer" of the first error.
+std::string first(std::string const& output)
+{
+    auto const found = find_first_error(output, "exercise_03.cpp", "Mein Code.cpp");
+    if (!found)
+        return "none";
+    std::string text = found->error.file + ": " + found->error.message + " @";
+    for (int const line : found->lines)
+        text += " " + std::to_string(line);
+    return text + (found->referrer.empty() ? "" : " < " + found->referrer);
+}
+}  // namespace
+
+TEST(FindFirstError, IsTheFirstInTheOutput)
+{
+    EXPECT_EQ(first("exercise_03.cpp:9:1: warning: w\n"
+                    "exercise_03.cpp:12:5: error: a\n"
+                    "exercise_03.cpp:2:5: error: b\n"),
+              "Mein Code.cpp: a @ 12");
+    EXPECT_EQ(first("exercise_03.cpp:9:1: warning: w\nexercise_03.cpp:9:1: note: n\n"), "none");
+    EXPECT_EQ(first(""), "none");
+}
+
+TEST(FindFirstError, FollowsTemplatesOfGcc)
+{
+    EXPECT_EQ(first("exercise_03.cpp:3:1: warning: w\n"
+                    "/usr/include/stl_algo.h: In instantiation of 'void f()':\n"
+                    "/usr/include/stl_algo.h:4:5:   required from 'void g()'\n"
+                    "exercise_03.cpp:27:34:   required from here\n"
+                    "/usr/include/predefined_ops.h:45:23: error: no match\n"
+                    "exercise_03.cpp:30:1: error: another\n"),
+              "predefined_ops.h: no match @ 27");
+    EXPECT_EQ(first("exercise_03.cpp:5:34:   required from here\n"
+                    "exercise_03.cpp:5:1: warning: w\n"
+                    "exercise_03.cpp:8:1: error: e\n"),
+              "Mein Code.cpp: e @ 8");
+}
+
+TEST(FindFirstError, FollowsTemplatesOfClang)
+{
+    EXPECT_EQ(first("/usr/include/ops.h:45:23: error: invalid operands\n"
+                    "/usr/include/algo.h:16:6: note: in instantiation of function template f requested here\n"
+                    "exercise_03.cpp:27:29: note: in instantiation of function template g requested here\n"
+                    "exercise_03.cpp:3:1: note: candidate function not viable\n"
+                    "exercise_03.cpp:30:1: error: another\n"
+                    "exercise_03.cpp:31:1: note: in instantiation of h requested here\n"),
+              "ops.h: invalid operands @ 27");
+}
+
+TEST(FindFirstError, FollowsMacros)
+{
+    EXPECT_EQ(first("exercise_03.cpp:3:20: error: no member\n"
+                    "exercise_03.cpp:40:5: note: in expansion of macro 'TEXEL'\n"),
+              "Mein Code.cpp: no member @ 3 40");
+}
+
+TEST(FindFirstError, KnowsWhoMissesASymbol)
+{
+    EXPECT_EQ(first("mold: error: undefined symbol: nowhere(int)\n"
+                    ">>> referenced by exercise_03.cpp\n"
+                    ">>>               /tmp/ccU3.o:(ImageTexture::wrap_clamp(int, int))\n"
+                    ">>>               /tmp/ccU3.o:(other())\n"
+                    "collect2: error: ld returned 1 exit status\n"),
+              ": undefined symbol: nowhere(int) @ < ImageTexture::wrap_clamp(int, int)");
+}
+
+TEST(FindFirstError, BelongsToNoLineElsewhere)
+{
+    EXPECT_EQ(first("texture.h:12:5: error: e\n"), "texture.h: e @");
+    EXPECT_EQ(first("/other/exercise_03.cpp:12:5: error: e\n"), "exercise_03.cpp: e @");
+    EXPECT_EQ(first("cc1plus: fatal error: out of memory\n"), ": out of memory @");
+    EXPECT_EQ(first("exercise_03.cpp:-5: error: e\n"), "none");
+}
 }  // namespace testat

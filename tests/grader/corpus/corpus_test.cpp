@@ -1,57 +1,16 @@
-// Every file of the corpus is graded as its first line says:
-//   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"}, "policy": [], "prints": []}
-// loses: points that functions lose before policy, from and to; every other function has all of its points.
-// says: their words in report.json; every other function is "correct".
-// policy: what of the sheet's policies applies; none if it is left out.
-// prints: functions whose checks must say that they print.
-#include "end_to_end/testat_program.h"
+// Every file of the corpus is graded as its first line says.
+#include "corpus/uploads.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cctype>
+#include <set>
 
 namespace testat {
 namespace {
-std::string const mark = "// verdict: ";
-
-struct Case {
-    std::filesystem::path file;
-    std::string compiler;
-};
-
 std::vector<Case> all_cases()
 {
-    std::vector<Case> cases;
-    for (char const* kind : {"correct", "wrong"})
-        for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::path(TESTAT_CORPUS) / kind))
-            for (auto const& compiler : compilers())
-                cases.push_back({entry.path(), compiler});
+    std::vector<Case> cases = cases_in({"correct", "wrong"});
     for (auto const& compiler : compilers())
         cases.push_back({example_file(), compiler});
-    std::stable_sort(cases.begin(), cases.end(), [](Case const& a, Case const& b) { return a.file < b.file; });
     return cases;
-}
-
-/// "wrong_repeat_abs_clang"
-std::string name_of(testing::TestParamInfo<Case> const& info)
-{
-    std::string const compiler = info.param.compiler == "g++" ? "gcc" : "clang";
-    std::string name =
-        info.param.file.parent_path().filename().string() + "_" + info.param.file.stem().string() + "_" + compiler;
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-}
-
-Json read_verdict(std::filesystem::path const& file)
-{
-    std::string const text = read_file(file);
-    std::string const line = text.substr(0, text.find('\n'));
-    std::size_t const at = line.find(mark);
-    if (at == std::string::npos)
-        throw std::runtime_error(file.string() + ": line 1 holds no verdict");
-    return Json::parse(line.substr(at + mark.size()));
 }
 
 void expect_points(std::string const& name, Json const& function, Json const& loses)
@@ -65,6 +24,12 @@ void expect_points(std::string const& name, Json const& function, Json const& lo
 void expect_word(std::string const& name, Json const& function, Json const& says)
 {
     EXPECT_EQ(function.at("verdict"), says.value(name, "correct")) << name;
+}
+
+void expect_mistake(std::string const& name, Json const& function, Json const& mistakes)
+{
+    Json const named = function.contains("mistake") ? function.at("mistake").at("id") : Json();
+    EXPECT_EQ(named, mistakes.value(name, Json())) << name;
 }
 
 /// What the policies leave of the points.
@@ -81,12 +46,22 @@ void expect_printing_is_noted(Json const& function)
         EXPECT_NE(check.at("hint").dump().find("prints"), std::string::npos) << check.at("name");
 }
 
+/// The grader and a reader of GRADING's table agree to half a point.
+void expect_points_by_hand(Json const& report, Json const& verdict)
+{
+    if (!verdict.contains("by_hand"))
+        return;
+    double const graded = report.at("policy").at("earned_without");
+    EXPECT_NEAR(graded, verdict.at("by_hand").get<double>(), 0.5);
+}
+
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
+    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake"};
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints") << key;
-    for (char const* key : {"loses", "says"}) {
+        EXPECT_TRUE(keys.count(key) > 0) << key;
+    for (char const* key : {"loses", "says", "mistake"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
             EXPECT_TRUE(report.at("functions").contains(name)) << name;
@@ -108,9 +83,11 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
     for (auto const& [name, function] : graded.report.at("functions").items()) {
         expect_points(name, function, verdict.at("loses"));
         expect_word(name, function, verdict.value("says", Json::object()));
+        expect_mistake(name, function, verdict.value("mistake", Json::object()));
     }
     for (auto const& name : verdict.value("prints", Json::array()))
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
+    expect_points_by_hand(graded.report, verdict);
     expect_policy(graded.report, verdict.value("policy", Json::array()));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n"

@@ -109,6 +109,11 @@ TEST_P(MissingFunction, CostsItsPointsBeforePolicy)
         EXPECT_EQ(function.at("verdict"), key == name ? "missing" : "correct") << key;
         EXPECT_EQ(function.at("earned"), key == name ? Json(0.0) : function.at("max")) << key;
     }
+    Json const& unofficial = report.at("unofficial");
+    EXPECT_EQ(unofficial.at("earned"), report.at("policy").at("earned_without"));
+    EXPECT_EQ(unofficial.at("earned"), unofficial.at("max"));
+    EXPECT_EQ(unofficial.at("broken").size(), 1u);
+    EXPECT_EQ(unofficial.at("broken").at(name).at("message"), first_message(report));
 }
 
 INSTANTIATE_TEST_SUITE_P(Upload, MissingFunction,
@@ -145,6 +150,7 @@ TEST_P(Compiler, NamesTheLineOfAMistakeInTheUpload)
     EXPECT_EQ(first.at("file"), "exercise_03.cpp");
     EXPECT_EQ(first.at("line"), 4);
     EXPECT_EQ(first.at("severity"), "error");
+    EXPECT_FALSE(report.contains("unofficial"));
 }
 
 TEST_P(Compiler, SaysWhichIncludeIsMissing)
@@ -162,6 +168,7 @@ TEST_P(Compiler, SaysWhichFunctionIsUndefined)
                                                          "{\n    return nowhere(val);\n}\n");
     Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
     EXPECT_NE(first_message(report).find("nowhere"), std::string::npos);
+    EXPECT_EQ(report.at("unofficial").at("earned"), 19);
 }
 
 /// Compilers quote the lines they complain about, from whichever file #line names.
@@ -188,8 +195,77 @@ TEST_P(Compiler, GetsNoEscapeSequencesIntoTheReport)
             EXPECT_EQ(d.at(key).get<std::string>().find('\x1b'), std::string::npos) << d;
 }
 
+/// The template with an error in one function: nobody has written the others.
+TEST_P(Compiler, EarnsNothingUnofficiallyForTheTemplate)
+{
+    std::string const text =
+        replace_body(read_file(template_file()), Function::create_mipmap, "{ mip_levels.push_back(level) }");
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    Json const& unofficial = report.at("unofficial");
+    EXPECT_EQ(unofficial.at("earned"), 0);
+    EXPECT_EQ(unofficial.at("max"), 18);
+    for (auto const& [name, function] : unofficial.at("functions").items())
+        EXPECT_EQ(function.at("verdict"), "missing") << name;
+}
+
+TEST_P(Compiler, BlamesTheFunctionWithASurplusBrace)
+{
+    std::string const text = replace_body(reference_text(), Function::wrap_repeat,
+                                          "{\n    if (val < 0) }\n        val = 0;\n    }\n    return val;\n}");
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    EXPECT_EQ(report.at("unofficial").at("earned"), 19);
+    EXPECT_TRUE(report.at("unofficial").at("broken").contains("wrap_repeat"));
+}
+
+/// It makes the error seem to lie in another function.
+TEST_P(Compiler, BlamesNoLineThatALineDirectiveNames)
+{
+    int const line = find_definitions(reference_text()).at(0).line;
+    std::string const text = replace_body(reference_text(), Function::wrap_repeat,
+                                          "{\n#line " + std::to_string(line) + "\nreturn unknown;\n}");
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    Json const& broken = report.at("unofficial").at("broken");
+    EXPECT_EQ(broken.size(), 1u);
+    ASSERT_TRUE(broken.contains("wrap_repeat")) << broken;
+    EXPECT_GT(broken.at("wrap_repeat").at("line"), line);
+}
+
+TEST_P(Compiler, HasNothingUnofficialOfElevenBrokenFunctions)
+{
+    std::string text = reference_text();
+    for (Function f : every_function())
+        text = replace_body(text, f, "{ return unknown; }");
+    EXPECT_FALSE(expect_zero(grade_text(text, {"--compiler", GetParam()})).contains("unofficial"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Diagnostics, Compiler, testing::ValuesIn(compilers()),
                          [](auto const& p) { return p.param == "g++" ? "gcc" : "clang"; });
+
+/// Points of the tasks that are graded, errors of all functions.
+TEST(Upload, HasUnofficialPointsOfTheChosenTasks)
+{
+    std::string const text = replace_body(reference_text(), Function::evaluate_bilinear, "{ return unknown; }");
+    Json const report = grade_text(text, {"--tasks", "b"}).report;
+    EXPECT_EQ(report.at("points").at("earned"), 0);
+    EXPECT_EQ(report.at("unofficial").at("earned"), 2);
+    EXPECT_EQ(report.at("unofficial").at("max"), 2);
+    EXPECT_TRUE(report.at("unofficial").at("broken").contains("evaluate_bilinear"));
+}
+
+/// The rescued functions are asked as usual: what they do wrong is told.
+TEST(Upload, ShowsUnofficialPointsToStudents)
+{
+    std::string const text =
+        replace_body(replace_body(reference_text(), Function::evaluate_bilinear, "{ return unknown; }"),
+                     Function::wrap_repeat, "{ return 0 * (val + size); }");
+    Graded const german = grade_text(text, {"--lang", "de", "--profile", "student"});
+    expect_zero(german);
+    for (char const* part :
+         {"0.00 von 20.00 Punkten", "was nicht kompiliert, bekommt 0 Punkte", "evaluate_bilinear, Zeile ",
+          "Inoffiziell", "kompiliert nicht", "wrap_repeat: WrapRepeat."})
+        EXPECT_NE(german.out.find(part), std::string::npos) << part << " is not in\n" << german.out;
+}
+
 /// The precompiled header must not make up for an #include that is missing.
 TEST(Upload, MustIncludeWhatItUses)
 {

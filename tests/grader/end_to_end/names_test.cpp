@@ -1,5 +1,6 @@
 // A check has one name: unit check, rubric key and group of questions. So has a picture.
 #include "checks/check.h"
+#include "checks/mistakes/mistake.h"
 #include "checks/run_checks.h"
 #include "installation.h"
 #include "rubric/rubric.h"
@@ -43,6 +44,17 @@ TEST(Names, OfUnitChecksAndOfTheRubricAreOneSet)
     for (auto const& check : unit_checks())
         EXPECT_TRUE(checks.emplace(check.name, check.function).second) << check.name << " is there twice";
     EXPECT_EQ(checks, checks_of_rubric());
+}
+
+TEST(Names, OfMistakesAndOfTheRubricAreOneSet)
+{
+    std::map<std::string, Function> known, worded;
+    for (auto const& mistake : mistakes())
+        EXPECT_TRUE(known.emplace(mistake.id, mistake.function).second) << mistake.id << " is there twice";
+    for (auto const& function : rubric().functions)
+        for (auto const& mistake : function.mistakes)
+            EXPECT_TRUE(worded.emplace(mistake.id, function.function).second) << mistake.id << " is there twice";
+    EXPECT_EQ(known, worded);
 }
 
 TEST(Names, OfPicturesInTheRubricAreThoseOfTheFramework)

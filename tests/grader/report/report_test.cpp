@@ -175,6 +175,29 @@ TEST(MakeReport, HoldsPolicyAndDiagnostics)
     EXPECT_TRUE(is_valid(report));
 }
 
+TEST(MakeReport, HoldsUnofficialPoints)
+{
+    Build const build = mended_build();
+    Report const report = report_of(passed_results(example_rubric()), build);
+    EXPECT_EQ(report["points"]["earned"], 0);
+    EXPECT_EQ(report["policy"]["earned_without"], 0);
+    EXPECT_EQ(report["functions"]["wrap_repeat"]["earned"], 0);
+    Report const& unofficial = report["unofficial"];
+    EXPECT_EQ(unofficial["earned"], 1);
+    EXPECT_EQ(unofficial["max"], 1);
+    EXPECT_EQ(unofficial["functions"].size(), 1u);
+    EXPECT_EQ(unofficial["functions"]["wrap_repeat"]["verdict"], "correct");
+    EXPECT_EQ(unofficial["broken"]["wrap_clamp"]["line"], 3);
+    EXPECT_EQ(unofficial["broken"]["wrap_clamp"]["message"], "'x' was not declared");
+    EXPECT_TRUE(is_valid(report));
+}
+
+TEST(MakeReport, HasNoUnofficialPointsOtherwise)
+{
+    EXPECT_FALSE(report_of(passed_results(example_rubric()), whole_build()).contains("unofficial"));
+    EXPECT_FALSE(report_of(CheckResults{}, Build{}).contains("unofficial"));
+}
+
 TEST(MakeReport, ShowsTheSource)
 {
     Build build = whole_build();

@@ -100,6 +100,26 @@ TEST(ReportToText, ShowsWhatDoesNotCompile)
     EXPECT_TRUE(holds(text, {"0.00 of 2.00", "exercise_03.cpp:3", "'x' was not declared", "missing"}));
 }
 
+TEST(ReportToText, SaysThatNothingCouldBeGradedAlone)
+{
+    Report const report = report_of(example_rubric(), CheckResults{}, Build{});
+    EXPECT_TRUE(holds(report_to_text(report, Language::en), {"No function could be graded by itself"}));
+    EXPECT_TRUE(holds(report_to_text(report, Language::de), {"Auch einzeln ließ sich keine Funktion bewerten"}));
+}
+
+TEST(ReportToText, ShowsUnofficialPoints)
+{
+    Report const report = report_of(example_rubric(), passed_results(example_rubric()), mended_build());
+    std::string const english = report_to_text(report, Language::en);
+    EXPECT_TRUE(holds(english, {"0.00 of 2.00 points", "what does not compile gets 0 points", "1.00 of 1.00",
+                                "wrap_clamp, line 3: 'x' was not declared", "Unofficially", "does not compile",
+                                "0.00 /  1.00", "correct", "1.00 /  1.00", "1.00 /  2.00"}));
+    EXPECT_EQ(english.find("by itself"), std::string::npos) << english;
+    EXPECT_TRUE(holds(report_to_text(report, Language::de),
+                      {"0.00 von 2.00 Punkten", "was nicht kompiliert, bekommt 0 Punkte", "1.00 von 1.00",
+                       "wrap_clamp, Zeile 3: 'x' was not declared", "Inoffiziell", "kompiliert nicht", "richtig"}));
+}
+
 TEST(ReportToText, SaysWhichPolicyApplies)
 {
     Build build = whole_build();

@@ -206,4 +206,47 @@ TEST(Policy, IsLeftOutForTheLenient)
     EXPECT_EQ(grade.earned, 2);
     EXPECT_TRUE(grade.policies.empty());
 }
+
+TEST(Score, KeepsUnofficialPointsApart)
+{
+    Grade const grade = grade_after([](CheckResults&, Build& build) {
+        build.ok = false;
+        build.mended = true;
+        build.sources[Function::wrap_clamp] = build.sources[Function::wrap_repeat] = {};
+        build.broken[Function::wrap_clamp] = {"exercise_03.cpp", 3, 1, "error", "broken"};
+        build.defined = build.defined.without(Function::wrap_clamp);
+    });
+    EXPECT_EQ(grade.earned, 0);
+    EXPECT_EQ(grade.earned_without, 0);
+    for (auto const& function : grade.functions) {
+        EXPECT_EQ(function.earned, 0);
+        EXPECT_EQ(function.verdict, FunctionVerdict::wrong);
+    }
+    ASSERT_EQ(grade.unofficial.size(), 1u);
+    EXPECT_EQ(grade.unofficial[0].function, Function::wrap_repeat);
+    EXPECT_EQ(grade.unofficial[0].earned, 1);
+    EXPECT_EQ(grade.unofficial[0].verdict, FunctionVerdict::correct);
+}
+
+/// Leniency forgives rules, not errors of the compiler.
+TEST(Score, KeepsUnofficialPointsApartWithLeniencyToo)
+{
+    auto const mended = [](CheckResults&, Build& build) {
+        build.ok = false;
+        build.mended = true;
+        build.broken[Function::wrap_clamp] = {};
+    };
+    EXPECT_EQ(grade_after(mended, true).earned, 0);
+}
+
+TEST(Score, HasUnofficialPointsBesideAMissingFunction)
+{
+    Grade const grade = grade_after([](CheckResults&, Build& build) {
+        build.ok = false;
+        build.broken[Function::wrap_clamp] = {"exercise_03.cpp", 0, 0, "error", "missing"};
+    });
+    EXPECT_EQ(grade.unofficial.size(), 1u);
+    EXPECT_EQ(grade.earned, 0);
+    EXPECT_TRUE(grade_after([](CheckResults&, Build&) {}).unofficial.empty());
+}
 }  // namespace testat

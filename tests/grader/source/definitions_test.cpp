@@ -39,9 +39,22 @@ std::string only_definition(std::string_view text)
 
 constexpr char clamp[] = "int ImageTexture::wrap_clamp(int v, int n) { return v < n ? v : n - 1; }";
 
+void expect_recovered_in_order(std::string_view text)
+{
+    std::size_t last = 0;
+    for (auto const& d : recover_definitions(text)) {
+        ASSERT_LE(last, d.begin);
+        ASSERT_LT(d.begin, d.body);
+        ASSERT_LT(d.body, d.end);
+        ASSERT_LE(d.end, text.size());
+        last = d.end;
+    }
+}
+
 /// Offsets lie in the text and in order.
 void expect_sane(std::string_view text)
 {
+    expect_recovered_in_order(text);
     std::size_t last = 0;
     for (auto const& d : find_definitions(text)) {
         ASSERT_LE(last, d.begin);
@@ -240,6 +253,98 @@ TEST(FindDefinitions, NeverFailsOnRandomTokens)
         for (unsigned i = engine() % 60; i > 0; --i)
             text += tokens[engine() % std::size(tokens)];
         expect_sane(text);
+    }
+}
+
+namespace {
+constexpr char repeat[] = "int ImageTexture::wrap_repeat(int v, int n) { return v % n; }";
+
+/// What is recovered, as it stands in the text, with a mark behind what the next definition cuts.
+std::vector<std::string> recovered(std::string_view text)
+{
+    std::vector<std::string> found;
+    for (auto const& d : recover_definitions(text))
+        found.push_back(text_of(text, d) + (d.closed ? "" : " CUT"));
+    return found;
+}
+
+using Texts = std::vector<std::string>;
+}  // namespace
+
+TEST(RecoverDefinitions, FindsTheSameInWhatCompiles)
+{
+    for (char const* file : {"references/exercise_03.cpp", "submission_template/exercise_03.cpp"}) {
+        std::string const text = read(file);
+        auto const expected = find_definitions(text);
+        auto const found = recover_definitions(text);
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            EXPECT_EQ(text_of(text, found[i]), text_of(text, expected[i]));
+            EXPECT_EQ(found[i].line, expected[i].line);
+            EXPECT_TRUE(found[i].closed);
+        }
+    }
+}
+
+TEST(RecoverDefinitions, EndsAFunctionWithoutClosingBraceAtTheNext)
+{
+    std::string const torn = "int ImageTexture::wrap_clamp(int v, int n) { return v;";
+    EXPECT_EQ(recovered(torn + "\n// about the next\n" + repeat), (Texts{torn + " CUT", repeat}));
+    std::string const inner = "int ImageTexture::wrap_clamp(int v, int n) { if (v) { return v; }";
+    EXPECT_EQ(recovered(inner + "\n" + repeat), (Texts{inner + " CUT", repeat}));
+    EXPECT_EQ(recovered(torn + "\n" + repeat + " }"), (Texts{torn + " CUT", repeat}));
+}
+
+TEST(RecoverDefinitions, EndsTheLastWithoutClosingBraceWithTheText)
+{
+    std::string const torn = "int ImageTexture::wrap_clamp(int v, int n) { return v;\n\n";
+    EXPECT_EQ(recovered(torn), Texts{torn});
+}
+
+TEST(RecoverDefinitions, TakesASurplusBraceToTheFunctionBefore)
+{
+    std::string const surplus = "int ImageTexture::wrap_clamp(int v, int n) { if (v) } v = 1; for (;;) { } return v; }";
+    EXPECT_EQ(recovered(surplus + "\n" + repeat), (Texts{surplus, repeat}));
+    EXPECT_EQ(recovered(std::string("}\n") + repeat), Texts{repeat});
+}
+
+TEST(RecoverDefinitions, FindsFunctionsWithoutOpeningBrace)
+{
+    std::string const torn = "int ImageTexture::wrap_clamp(int v, int n) if (v) { v = 1; } return v; }";
+    EXPECT_EQ(recovered(torn + "\n" + repeat), (Texts{torn, repeat}));
+}
+
+TEST(RecoverDefinitions, FindsFunctionsWithoutClosingParenthesis)
+{
+    std::string const torn = "int ImageTexture::wrap_clamp(int v, int n { return f(v); }";
+    EXPECT_EQ(recovered(torn + "\n" + repeat), (Texts{torn, repeat}));
+}
+
+TEST(RecoverDefinitions, SkipsDeclarationsAndCalls)
+{
+    EXPECT_TRUE(recovered("V transform_position(M const& m, V const& p);").empty());
+    EXPECT_TRUE(recovered("int h() { return transform_position(1, 2); }").empty());
+    EXPECT_TRUE(recovered("V const origin = transform_position(m, p);").empty());
+}
+
+/// Only what is qualified cannot stand in a function.
+TEST(RecoverDefinitions, LeavesClassesInFunctions)
+{
+    std::string const text =
+        "int ImageTexture::wrap_clamp(int v, int n) { struct S { int transform_position(int p) { return p; } }; "
+        "return v; }";
+    EXPECT_EQ(recovered(text + repeat), (Texts{text, repeat}));
+}
+
+TEST(RecoverDefinitions, TakesTimeInProportion)
+{
+    for (std::string const part :
+         {"transform_position(", "transform_position(){", "transform_position(){}", "ImageTexture::wrap_clamp(){",
+          "transform_position() ", "}", "transform_position(;"}) {
+        std::string text = "transform_position(){";
+        while (text.size() < 1'000'000)
+            text += part;
+        EXPECT_LE(recover_definitions(text).size(), text.size() / 15) << part;
     }
 }
 

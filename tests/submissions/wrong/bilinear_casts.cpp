@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [1.0, 1.0]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_bilinear": [1.0, 1.0]}, "says": {"evaluate_bilinear": "partial"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_casts"}}
 // Conversion to int instead of floor: negative weights below zero. Most of the plane has negative uv, the board has none:
 // 4 * min(0.875, 1.53 / 2) is left.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [2.5, 2.5]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_bilinear": [2.5, 2.5]}, "says": {"evaluate_bilinear": "partial"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_casts_without_shift"}}
 // Without the half-texel shift, and with a conversion to int instead of floor.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [4, 4]}, "says": {"evaluate_bilinear": "wrong"}, "policy": []}
+// verdict: {"loses": {"evaluate_bilinear": [4, 4]}, "says": {"evaluate_bilinear": "wrong"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_exchanges_weights"}}
 // The weight of a texel is the distance to it. On one colour nobody sees it.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [2, 2]}, "says": {"evaluate_bilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_bilinear": [2, 2]}, "says": {"evaluate_bilinear": "partial"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_without_shift"}}
 // Without the half-texel shift.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 {

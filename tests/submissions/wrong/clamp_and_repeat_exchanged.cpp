@@ -1,4 +1,4 @@
-// verdict: {"loses": {"wrap_clamp": [0.75, 0.75], "wrap_repeat": [1, 1]}, "says": {"wrap_clamp": "partial", "wrap_repeat": "wrong"}, "policy": []}
+// verdict: {"loses": {"wrap_clamp": [0.75, 0.75], "wrap_repeat": [1, 1]}, "says": {"wrap_clamp": "partial", "wrap_repeat": "wrong"}, "policy": [], "mistake": {"wrap_clamp": "clamp_repeats", "wrap_repeat": "repeat_clamps"}}
 // The two wrap functions exchanged.
 int ImageTexture::wrap_clamp(int val, int size)
 {

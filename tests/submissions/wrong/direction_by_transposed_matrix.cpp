@@ -1,4 +1,4 @@
-// verdict: {"loses": {"transform_direction": [1, 1]}, "says": {"transform_direction": "wrong"}, "policy": []}
+// verdict: {"loses": {"transform_direction": [1, 1]}, "says": {"transform_direction": "wrong"}, "policy": [], "mistake": {"transform_direction": "direction_by_transposed_matrix"}}
 // Vector times matrix.
 glm::vec3 transform_direction(glm::mat4 const& transform, glm::vec3 const& d)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"compute_uv_aabb_size": [1.0, 1.0]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// verdict: {"loses": {"compute_uv_aabb_size": [1.0, 1.0]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": [], "mistake": {"compute_uv_aabb_size": "footprint_of_neighbours"}}
 // Differences to the first corner instead of a box around all four.
 glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"compute_uv_aabb_size": [2, 2]}, "says": {"compute_uv_aabb_size": "wrong"}, "policy": []}
+// verdict: {"loses": {"compute_uv_aabb_size": [2, 2]}, "says": {"compute_uv_aabb_size": "wrong"}, "policy": [], "mistake": {"compute_uv_aabb_size": "footprint_of_positions"}}
 // The box around the positions instead of around the uv.
 glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"compute_uv_aabb_size": [1, 1]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// verdict: {"loses": {"compute_uv_aabb_size": [1, 1]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": [], "mistake": {"compute_uv_aabb_size": "footprint_of_the_object"}}
 // Intersects the object itself instead of its tangent plane.
 glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"compute_uv_aabb_size": [2, 2]}, "says": {"compute_uv_aabb_size": "wrong"}, "policy": []}
+// verdict: {"loses": {"compute_uv_aabb_size": [2, 2]}, "says": {"compute_uv_aabb_size": "wrong"}, "policy": [], "mistake": {"compute_uv_aabb_size": "footprint_seeded_with_zero"}}
 // The box starts with the point (0, 0) in it.
 glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": []}
+// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": [], "mistake": {"intersect": "intersect_leaves_t_in_object_space"}}
 // t stays the distance in object space.
 bool Object::intersect(Ray const& ray, Intersection* isect) const
 {

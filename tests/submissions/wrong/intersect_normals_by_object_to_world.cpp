@@ -1,4 +1,4 @@
-// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": []}
+// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": [], "mistake": {"intersect": "intersect_normals_by_object_to_world"}}
 // Normals are transformed by the matrix for positions.
 bool Object::intersect(Ray const& ray, Intersection* isect) const
 {

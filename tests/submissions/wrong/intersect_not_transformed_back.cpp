@@ -1,4 +1,4 @@
-// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": []}
+// verdict: {"loses": {"intersect": [1, 1]}, "says": {"intersect": "partial"}, "policy": [], "mistake": {"intersect": "intersect_not_transformed_back"}}
 // Position and normals stay in object space; t is right.
 bool Object::intersect(Ray const& ray, Intersection* isect) const
 {

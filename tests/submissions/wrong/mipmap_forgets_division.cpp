@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_forgets_division"}}
 // Adds up without dividing: every level is four times as bright as the one before.
 void ImageTexture::create_mipmap()
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [2, 2]}, "says": {"create_mipmap": "wrong"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [2, 2]}, "says": {"create_mipmap": "wrong"}, "policy": [], "mistake": {"create_mipmap": "mipmap_forgets_last_level"}}
 // Ends with 2 x 2.
 void ImageTexture::create_mipmap()
 {

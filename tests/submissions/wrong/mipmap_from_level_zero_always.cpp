@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_takes_one_texel"}}
 // Every level samples level 0: one texel of each block instead of its average.
 void ImageTexture::create_mipmap()
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_leaves_levels_empty"}}
 // Allocates the levels and leaves them black.
 void ImageTexture::create_mipmap()
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1, 1]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1, 1]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_stops_at_shorter_side"}}
 // Stops as soon as one side is 1.
 void ImageTexture::create_mipmap()
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [0.5, 1]}, "says": {"evaluate_nearest": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_nearest": [0.5, 1]}, "says": {"evaluate_nearest": "partial"}, "policy": [], "mistake": {"evaluate_nearest": "nearest_rounds"}}
 // Rounds to the nearest whole number instead of down.
 glm::vec4 ImageTexture::evaluate_nearest(int level, glm::vec2 const& uv) const
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [1.5, 2]}, "says": {"evaluate_nearest": "wrong"}, "policy": []}
+// verdict: {"loses": {"evaluate_nearest": [1.5, 2]}, "says": {"evaluate_nearest": "wrong"}, "policy": [], "mistake": {"evaluate_nearest": "nearest_scales_by_size_minus_one"}}
 // Maps (1, 1) to the last texel instead of to (W, H).
 glm::vec4 ImageTexture::evaluate_nearest(int level, glm::vec2 const& uv) const
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [1, 1.5]}, "says": {"evaluate_nearest": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_nearest": [1, 1.5]}, "says": {"evaluate_nearest": "partial"}, "policy": [], "mistake": {"evaluate_nearest": "nearest_swaps_width_and_height"}}
 // u times the height and v times the width; nobody notices on the square checker.
 glm::vec4 ImageTexture::evaluate_nearest(int level, glm::vec2 const& uv) const
 {

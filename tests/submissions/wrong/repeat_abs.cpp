@@ -1,4 +1,4 @@
-// verdict: {"loses": {"wrap_repeat": [0.5, 0.5]}, "says": {"wrap_repeat": "partial"}, "policy": []}
+// verdict: {"loses": {"wrap_repeat": [0.5, 0.5]}, "says": {"wrap_repeat": "partial"}, "policy": [], "mistake": {"wrap_repeat": "repeat_abs"}}
 // abs(val % size): mirrored below zero.
 int ImageTexture::wrap_repeat(int val, int size)
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_trilinear": [1.5, 2]}, "says": {"evaluate_trilinear": "wrong"}, "policy": []}
+// verdict: {"loses": {"evaluate_trilinear": [1.5, 2]}, "says": {"evaluate_trilinear": "wrong"}, "policy": [], "mistake": {"evaluate_trilinear": "trilinear_of_nearest"}}
 // Interpolates between levels, but looks up the nearest texel in each.
 glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {

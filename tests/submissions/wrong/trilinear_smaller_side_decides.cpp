@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_trilinear": [1, 1]}, "says": {"evaluate_trilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_trilinear": [1, 1]}, "says": {"evaluate_trilinear": "partial"}, "policy": [], "mistake": {"evaluate_trilinear": "trilinear_smaller_side_decides"}}
 // The smaller side of the footprint decides.
 glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {

@@ -1,0 +1,29 @@
+#pragma once
+#include "model.h"
+#include "process/run.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace testat {
+/// A text that compiles because the functions that do not are left out. Lines keep their numbers.
+struct Mended {
+    std::string text;
+    std::map<Function, Diagnostic> broken;  ///< the first error of each function left out
+};
+
+/// Compiles and links a text; `timed_out` if there is no time left for it.
+using CompileText = std::function<Finished(std::string const& text)>;
+
+/// Leaves out the function that the first error belongs to and compiles again, until there is no error: at most once
+/// for each of the eleven, and once more if there are #line directives, which are blanked. `failed` is how compiling
+/// `text` ended, `source` the file name that the compiler was given, `shown` the one to report. Nothing if an error
+/// belongs to none of the functions, or if the compiler crashes or runs out of time.
+std::optional<Mended> mend(std::string const& text, Finished const& failed, std::string const& source,
+                           std::string const& shown, CompileText const& compile);
+
+/// The text with its #line directives blanked: they would have errors blamed on the wrong lines.
+std::string without_line_directives(std::string text);
+}  // namespace testat

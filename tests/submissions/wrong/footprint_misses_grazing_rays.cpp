@@ -1,0 +1,23 @@
+// verdict: {"loses": {"compute_uv_aabb_size": [0.25, 0.25]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// A plane equation of one's own that takes rays of less than three degrees for parallel.
+glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
+{
+    glm::vec3 p[4] = {isect.position, isect.position, isect.position, isect.position};
+    for (int i = 0; i < 4; i++) {
+        float t = 0.f;
+        float const slope = glm::dot(rays[i].direction, isect.normal);
+        if (std::abs(slope) < 0.05f)
+            continue;
+        t = glm::dot(isect.position - rays[i].origin, isect.normal) / slope;
+        if (t > 0.f)
+            p[i] = rays[i].origin + t * rays[i].direction;
+    }
+    glm::vec2 uv[4];
+    get_intersection_uvs(p, isect, uv);
+    glm::vec2 lo = uv[0], hi = uv[0];
+    for (int i = 1; i < 4; i++) {
+        lo = glm::min(lo, uv[i]);
+        hi = glm::max(hi, uv[i]);
+    }
+    return hi - lo;
+}

@@ -1,0 +1,19 @@
+// verdict: {"loses": {"compute_uv_aabb_size": [0.5, 0.5]}, "says": {"compute_uv_aabb_size": "partial"}, "policy": []}
+// Copied and not changed: every corner starts at the origin of the first ray.
+glm::vec2 Object::compute_uv_aabb_size(const Ray rays[4], Intersection const& isect)
+{
+    glm::vec3 p[4] = {isect.position, isect.position, isect.position, isect.position};
+    for (int i = 0; i < 4; i++) {
+        float t = 0.f;
+        if (intersect_plane(rays[0].origin, rays[i].direction, isect.position, isect.normal, &t))
+            p[i] = rays[0].origin + t * rays[i].direction;
+    }
+    glm::vec2 uv[4];
+    get_intersection_uvs(p, isect, uv);
+    glm::vec2 lo = uv[0], hi = uv[0];
+    for (int i = 1; i < 4; i++) {
+        lo = glm::min(lo, uv[i]);
+        hi = glm::max(hi, uv[i]);
+    }
+    return hi - lo;
+}

@@ -1,0 +1,22 @@
+// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_forgets_division"}}
+// Adds up four texels and divides by two: every level is twice as bright as the one before.
+void ImageTexture::create_mipmap()
+{
+    int width = mip_levels[0]->getWidth();
+    int height = mip_levels[0]->getHeight();
+    for (int level = 1; width > 1 || height > 1; ++level) {
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+        auto image = std::make_shared<Image>(width, height);
+        Image const& finer = *mip_levels[level - 1];
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                int const x1 = std::min(2 * x + 1, finer.getWidth() - 1);
+                int const y1 = std::min(2 * y + 1, finer.getHeight() - 1);
+                int const x0 = std::min(2 * x, finer.getWidth() - 1);
+                int const y0 = std::min(2 * y, finer.getHeight() - 1);
+                image->setPixel(x, y, (finer.getPixel(x0, y0) + finer.getPixel(x1, y0) + finer.getPixel(x0, y1) + finer.getPixel(x1, y1)) / 2.f);
+            }
+        mip_levels.push_back(image);
+    }
+}

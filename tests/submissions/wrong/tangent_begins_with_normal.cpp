@@ -1,0 +1,9 @@
+// verdict: {"loses": {"transform_direction_to_object_space": [2, 2]}, "says": {"transform_direction_to_object_space": "wrong"}, "policy": [], "mistake": {"transform_direction_to_object_space": "tangent_axes_in_wrong_order"}}
+// Normal, tangent, bitangent: the order of the arguments is not the order of the axes.
+glm::vec3 transform_direction_to_object_space(glm::vec3 const& d, glm::vec3 const& normal, glm::vec3 const& tangent,
+                                              glm::vec3 const& bitangent)
+
+{
+    glm::mat3 tbn(normal, tangent, bitangent);
+    return glm::normalize(tbn * d);
+}
