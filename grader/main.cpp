@@ -4,6 +4,7 @@
 #include "json_schema.h"
 #include "process/run.h"
 #include "report/text.h"
+#include "stress/command.h"
 #include "text.h"
 
 #include <CLI/CLI.hpp>
@@ -119,12 +120,60 @@ private:
     }
 };
 
-int run_command(CLI::App const& app, GradeCommand const& grade_command, RenderCommand const& render_command)
+struct StressCommand {
+    StressFile options;
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("stress", "Ask the functions of a file millions of unkind questions");
+        command->add_option("FILE", options.file, "The file to ask")->required();
+        command->add_option("--out", options.out, "Directory of stress.json (default: testat-out/<stem>-stress)");
+        command
+            ->add_option("--questions", options.stress.questions,
+                         "Questions to a function; in proportion fewer where one takes long (default: 1048576)")
+            ->check(CLI::Range(1, 1 << 24));
+        command->add_option("--seed", options.stress.seed, "Seed of the inputs")
+            ->check(CLI::Range(0.0, 9007199254740991.0))
+            ->capture_default_str();
+        command->add_option("--lang", language, "Language of table and plot")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--compiler", options.compiler, "Which compiler builds the file")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        command->add_flag("--contract-only", options.stress.contract_only,
+                          "Leave out what the contract does not allow");
+        command->callback([this] { prepare(); });
+    }
+
+    void prepare()
+    {
+        if (options.out.empty())
+            options.out = std::filesystem::path("testat-out") / (options.file.stem().string() + "-stress");
+        options.language = ::language(language);
+    }
+
+    int run() const
+    {
+        std::cout << stress_file(options, installation()) << "\n"
+                  << one_line((options.out / "stress.json").string()) << "\n";
+        return done;
+    }
+};
+
+struct Commands {
+    GradeCommand grade;
+    RenderCommand render;
+    StressCommand stress;
+};
+
+int run_command(CLI::App const& app, Commands const& commands)
 {
+    if (app.got_subcommand("stress"))
+        return commands.stress.run();
     if (app.got_subcommand("grade"))
-        return grade_command.run();
+        return commands.grade.run();
     if (app.got_subcommand("render"))
-        return render_command.run();
+        return commands.render.run();
     return doctor(installation(), std::cout) ? done : not_gradable;
 }
 
@@ -148,16 +197,16 @@ int main(int argc, char** argv)
     CLI::App app("Testat grades exercise_03.cpp of the texture mapping exercise.", "testat");
     app.require_subcommand(1);
     app.set_version_flag("--version", installation().version);
-    GradeCommand grade_command;
-    RenderCommand render_command;
-    grade_command.add_to(app);
-    render_command.add_to(app);
+    Commands commands;
+    commands.grade.add_to(app);
+    commands.render.add_to(app);
+    commands.stress.add_to(app);
     app.add_subcommand("doctor", "Say whether this machine can grade, and what is missing");
 
     catch_interrupts();
     try {
         app.parse(argc, argv);
-        return finish(run_command(app, grade_command, render_command));
+        return finish(run_command(app, commands));
     } catch (CLI::ParseError const& e) {
         return app.exit(e) == 0 ? done : wrong_usage;
     } catch (Interrupted const& e) {

@@ -107,13 +107,17 @@ std::string format_vector(std::vector<double> const& v)
 }
 
 Deviation compare(std::vector<double> const& measured, std::vector<double> const& expected,
-                  std::vector<double> const& bound)
+                  std::vector<double> const& bound, Words words)
 {
-    Deviation deviation{0, format_vector(measured), format_vector(expected)};
+    Deviation deviation;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         double const units = in_bounds(measured[i], expected[i], bound[i]);
         if (!(units <= deviation.in_bounds))
             deviation.in_bounds = units;
+    }
+    if (words == Words::always || !(deviation.in_bounds <= 1)) {
+        deviation.measured = format_vector(measured);
+        deviation.expected = format_vector(expected);
     }
     return deviation;
 }

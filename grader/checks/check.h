@@ -15,6 +15,8 @@ struct Deviation {
     double in_bounds = 0;  ///< at most 1 is right; NaN and infinity count as wrong
     std::string measured;
     std::string expected;
+    /// False where float may come to any answer, as in a hit that is a graze: only NaN and infinity are wrong there.
+    bool decided = true;
 };
 
 /// Collects the answers of a check and keeps the worst one.
@@ -63,9 +65,12 @@ Verdict judge_each(Answers const& answers, DeviationOf const& deviation)
     return verdict;
 }
 
+/// When a Deviation is put into words, which takes ten times as long as finding it.
+enum class Words { always, for_mistakes };
+
 /// Compares components, each with its bound. NaN and infinity are wrong whatever the bound is.
 Deviation compare(std::vector<double> const& measured, std::vector<double> const& expected,
-                  std::vector<double> const& bound);
+                  std::vector<double> const& bound, Words words = Words::always);
 
 /// "(0.25, -1, 3)"
 std::string format_vector(std::vector<double> const& v);

@@ -1,5 +1,6 @@
-#include "checks/footprint.h"
+#include "checks/footprint_size.h"
 #include "checks/matrices.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/shapes.h"
 
@@ -150,26 +151,9 @@ auto ask(FootprintQuestion (*make)(Random&))
     };
 }
 
-/// t is a quotient: both dot products are sums of products of coordinates, the divisor is the cosine of the view.
-Corner corner(FootprintQuestion const& q, int i)
-{
-    Line const ray{dvec3(q.origin[i]), glm::normalize(dvec3(q.direction[i]))};
-    glm::dvec3 const position = dvec3(q.position);
-    glm::dvec3 const normal = dvec3(q.normal);
-    auto const t = meet_plane(position, normal, ray);
-    if (!t)
-        return map_corner(q, position, 4 * eps * glm::length(position));
-    double const cosine = std::abs(glm::dot(ray.direction, normal));
-    double const reach = glm::length(ray.origin) + glm::length(position) + *t + glm::length(dvec3(q.shape.center));
-    return map_corner(q, ray.origin + *t * ray.direction, 8 * eps * reach * (1 + 1 / cosine));
-}
-
 glm::dvec2 size_error(FootprintQuestion const& q)
 {
-    glm::dvec2 error(0);
-    for (int i = 0; i < 4; ++i)
-        error = glm::max(error, corner(q, i).error);
-    return 2.0 * error;
+    return footprint(q, {}).bound;
 }
 
 /// Two pixels seen from one height, and one as wide and high as both together in the same scene twice or half as large,
@@ -216,28 +200,23 @@ Deviation compare_sum(Answers const& answers, ScaledScene const& relation, std::
     return d;
 }
 
-Verdict judge(Answers const& answers, Textures const&)
-{
-    return judge_each<FootprintQuestion>(answers, [&](FootprintQuestion const& q, std::uint32_t i) {
-        Corner corners[4] = {corner(q, 0), corner(q, 1), corner(q, 2), corner(q, 3)};
-        mend_seams(corners);
-        glm::dvec2 lower = corners[0].offset, upper = lower, error = corners[0].error;
-        for (auto const& c : corners) {
-            lower = glm::min(lower, c.offset);
-            upper = glm::max(upper, c.offset);
-            error = glm::max(error, c.error);
-        }
-        glm::dvec2 const right = upper - lower;
-        auto const measured = floats<2>(answers, i);
-        return compare({measured.begin(), measured.end()}, {right.x, right.y}, {2 * error.x, 2 * error.y});
-    });
-}
 }  // namespace
+
+Deviation footprint_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    auto const measured = floats<2>(answers, index);
+    Footprint const right = footprint(question<FootprintQuestion>(answers.group, index), dvec2(measured.data()));
+    Deviation deviation = compare({measured.begin(), measured.end()}, {right.size.x, right.size.y},
+                                  {right.bound.x, right.bound.y}, words);
+    deviation.decided = right.decided;
+    return deviation;
+}
 
 void add_compute_uv_aabb_size_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto make) {
-        checks.push_back({std::string("ComputeUvAabbSize.") + name, Function::compute_uv_aabb_size, ask(make), judge});
+        checks.push_back({std::string("ComputeUvAabbSize.") + name, Function::compute_uv_aabb_size, ask(make),
+                          judge_by(footprint_deviation)});
     };
     add("AxisAligned", ask_axis_aligned);
     add("Rotated", ask_rotated);

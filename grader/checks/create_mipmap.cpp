@@ -1,4 +1,5 @@
 #include "checks/mip_levels.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/vectors.h"
 
@@ -31,7 +32,7 @@ Deviation compare_sizes(MipLevels const& measured, glm::ivec2 size)
             format_sizes(right)};
 }
 
-Deviation compare_texels(MipLevels const& measured, TextureData const& texture)
+Deviation compare_texels(MipLevels const& measured, TextureData const& texture, Words words)
 {
     std::size_t const levels = std::min(measured.sizes.size(), mip_sizes(level_size(texture, 0)).size());
     Deviation worst;
@@ -41,11 +42,12 @@ Deviation compare_texels(MipLevels const& measured, TextureData const& texture)
                 MipTexel const right = mip_texel(texture, level, x, y);
                 std::vector<double> const bound(4, right.bound);
                 glm::dvec4 const m = measured.texel(level, x, y);
-                Deviation d =
-                    compare({m.x, m.y, m.z, m.w}, {right.mean.x, right.mean.y, right.mean.z, right.mean.w}, bound);
+                Deviation d = compare({m.x, m.y, m.z, m.w}, {right.mean.x, right.mean.y, right.mean.z, right.mean.w},
+                                      bound, words);
+                if (d.in_bounds <= worst.in_bounds)
+                    continue;
                 d.measured = fmt::format("get_texel({}, {}, {}) = {}", level, x, y, d.measured);
-                if (!(d.in_bounds <= worst.in_bounds))
-                    worst = d;
+                worst = d;
             }
     return worst;
 }
@@ -70,19 +72,10 @@ Deviation judge_sizes(MipLevels const& measured, TextureData const& texture)
     return compare_sizes(measured, level_size(texture, 0));
 }
 
-Deviation judge_sizes_and_texels(MipLevels const& measured, TextureData const& texture)
+Deviation sizes_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words)
 {
-    Deviation const sizes = judge_sizes(measured, texture);
-    return sizes.in_bounds <= 1 ? compare_texels(measured, texture) : sizes;
-}
-
-auto judge(Deviation (*deviation)(MipLevels const&, TextureData const&))
-{
-    return [=](Answers const& answers, Textures const& textures) {
-        return judge_each<MipmapQuestion>(answers, [&](MipmapQuestion const& q, std::uint32_t i) {
-            return deviation(read_mip_levels(answers, i), textures[q.texture]);
-        });
-    };
+    auto const q = question<MipmapQuestion>(answers.group, index);
+    return judge_sizes(read_mip_levels(answers, index), textures[q.texture]);
 }
 
 constexpr std::array means = {TestTexture::mip_square, TestTexture::unknown_mip, TestTexture::unknown_mip_mean};
@@ -144,17 +137,25 @@ Verdict judge_means(Answers const& answers, Textures const& textures)
 }
 }  // namespace
 
+Deviation mipmap_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words words)
+{
+    TextureData const& texture = textures[question<MipmapQuestion>(answers.group, index).texture];
+    MipLevels const measured = read_mip_levels(answers, index);
+    Deviation const sizes = compare_sizes(measured, level_size(texture, 0));
+    return sizes.in_bounds <= 1 ? compare_texels(measured, texture, words) : sizes;
+}
+
 void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto asked, auto judged) {
         checks.push_back({std::string("CreateMipmap.") + name, Function::create_mipmap, asked, judged});
     };
-    add("SquareSizes", ask({TestTexture::mip_small, TestTexture::mip_square}), judge(judge_sizes));
-    add("SquareAverages", ask({TestTexture::mip_small, TestTexture::mip_square}), judge(judge_sizes_and_texels));
+    add("SquareSizes", ask({TestTexture::mip_small, TestTexture::mip_square}), judge_by(sizes_deviation));
+    add("SquareAverages", ask({TestTexture::mip_small, TestTexture::mip_square}), judge_by(mipmap_deviation));
     add("NonSquare",
         ask({TestTexture::mip_pair, TestTexture::mip_wide, TestTexture::mip_high, TestTexture::mip_row,
              TestTexture::mip_column, TestTexture::mip_single}),
-        judge(judge_sizes_and_texels));
+        judge_by(mipmap_deviation));
     add("LinearInTheTexture", ask_means, judge_means);
 }
 }  // namespace testat

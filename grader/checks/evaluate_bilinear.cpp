@@ -1,4 +1,5 @@
 #include "checks/lookup.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/vectors.h"
 
@@ -137,13 +138,6 @@ MeanOfTextures move_by_texels(Random& random, Textures const& textures)
             bound};
 }
 
-Verdict judge_values(Answers const& answers, Textures const& textures)
-{
-    return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
-        return compare_lookup(answers, i, bilinear(textures[q.texture], q.level, dvec2(q.uv)));
-    });
-}
-
 Deviation compare_difference(Answers const& answers, std::uint32_t index, Lookup const& a, Lookup const& b)
 {
     auto const before = floats<4>(answers, index - 1);
@@ -173,14 +167,20 @@ Verdict judge_differences(Answers const& answers, Textures const& textures)
 }
 }  // namespace
 
+Deviation bilinear_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words words)
+{
+    auto const q = question<LookupQuestion>(answers.group, index);
+    return compare_lookup(answers, index, bilinear(textures[q.texture], q.level, dvec2(q.uv)), words);
+}
+
 void add_evaluate_bilinear_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto ask, auto judge) {
         checks.push_back({std::string("EvaluateBilinear.") + name, Function::evaluate_bilinear, ask, judge});
     };
-    add("ConstantTexture", ask_constant, judge_values);
-    add("TexelCentres", ask_centres, judge_values);
-    add("Fractions", ask_fractions, judge_values);
+    add("ConstantTexture", ask_constant, judge_by(bilinear_deviation));
+    add("TexelCentres", ask_centres, judge_by(bilinear_deviation));
+    add("Fractions", ask_fractions, judge_by(bilinear_deviation));
     add("Gradients", ask_inner, judge_differences);
     add("GradientsAtTheBorder", ask_border, judge_differences);
     add("NegativeCoordinates", ask_negative, judge_differences);

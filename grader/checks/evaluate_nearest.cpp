@@ -1,4 +1,5 @@
 #include "checks/lookup.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/vectors.h"
 
@@ -83,31 +84,10 @@ std::string name_texel(std::array<float, 4> const& colour)
                  : format_vector({colour.begin(), colour.end()});
 }
 
-/// Any texel that a coordinate within the float error can lie in.
-Deviation judge_texel(Answers const& answers, std::uint32_t index, LookupQuestion const& q, TextureData const& texture)
+/// How far a coordinate lies outside of a texel's interval, in units of its error.
+double distance_to(int texel, double coordinate, double error)
 {
-    glm::ivec2 const size = level_size(texture, q.level);
-    double const s = double(q.uv[0]) * size.x;
-    double const t = double(q.uv[1]) * size.y;
-    double const ds = coordinate_error(q.uv[0], size.x);
-    double const dt = coordinate_error(q.uv[1], size.y);
-    auto const measured = floats<4>(answers, index);
-    Deviation deviation{HUGE_VAL, name_texel(measured), ""};
-    for (int y = int(std::floor(t - dt)); y <= int(std::floor(t + dt)); ++y)
-        for (int x = int(std::floor(s - ds)); x <= int(std::floor(s + ds)); ++x) {
-            glm::dvec4 const right = texel(texture, q.level, x, y);
-            if (right == dvec4(measured.data()))
-                deviation.in_bounds = 0;
-            deviation.expected = name_texel({float(right.x), float(right.y), float(right.z), float(right.w)});
-        }
-    return deviation;
-}
-
-Verdict judge(Answers const& answers, Textures const& textures)
-{
-    return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
-        return judge_texel(answers, i, q, textures[q.texture]);
-    });
+    return std::max({0.0, texel - coordinate, coordinate - (texel + 1.0)}) / error;
 }
 
 /// A texel, and its mirror image in the mirrored mean: whatever the lower fractions are, the same texel is meant.
@@ -131,10 +111,37 @@ auto inside(TestTexture texture, int first_level, int last_level, Fractions f)
 }
 }  // namespace
 
+/// Any texel that a coordinate within the float error can lie in is right.
+Deviation nearest_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words words)
+{
+    auto const q = question<LookupQuestion>(answers.group, index);
+    TextureData const& texture = textures[q.texture];
+    glm::dvec2 const size = level_size(texture, q.level);
+    glm::dvec2 const st = dvec2(q.uv) * size;
+    glm::dvec2 const error(coordinate_error(q.uv[0], int(size.x)), coordinate_error(q.uv[1], int(size.y)));
+    glm::ivec2 const first = glm::floor(st - error);
+    glm::ivec2 const last = glm::floor(st + error);
+    auto const measured = floats<4>(answers, index);
+    Deviation deviation;
+    deviation.in_bounds = HUGE_VAL;
+    for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x)
+            if (texel(texture, q.level, x, y) == dvec4(measured.data()))
+                deviation.in_bounds = std::min(deviation.in_bounds,
+                                               std::max(distance_to(x, st.x, error.x), distance_to(y, st.y, error.y)));
+    if (words == Words::always || deviation.in_bounds > 1) {
+        deviation.measured = name_texel(measured);
+        glm::vec4 const right(texel(texture, q.level, last.x, last.y));
+        deviation.expected = name_texel({right.r, right.g, right.b, right.a});
+    }
+    return deviation;
+}
+
 void add_evaluate_nearest_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto ask) {
-        checks.push_back({std::string("EvaluateNearest.") + name, Function::evaluate_nearest, ask, judge});
+        checks.push_back(
+            {std::string("EvaluateNearest.") + name, Function::evaluate_nearest, ask, judge_by(nearest_deviation)});
     };
     add("SquareLevelZero", inside(TestTexture::coded_square, 0, 0, lower_half));
     add("NonSquareLevelZero", ask_wide);

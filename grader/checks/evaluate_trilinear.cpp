@@ -1,4 +1,5 @@
 #include "checks/lookup.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/vectors.h"
 
@@ -95,18 +96,19 @@ MeanOfTextures mirror_without_level_zero(Random& random, Textures const& texture
     return relation;
 }
 
-Verdict judge(Answers const& answers, Textures const& textures)
-{
-    return judge_each<LookupQuestion>(answers, [&](LookupQuestion const& q, std::uint32_t i) {
-        return compare_lookup(answers, i, trilinear(textures[q.texture], dvec2(q.uv), dvec2(q.dudv)));
-    });
-}
 }  // namespace
+
+Deviation trilinear_deviation(Answers const& answers, std::uint32_t index, Textures const& textures, Words words)
+{
+    auto const q = question<LookupQuestion>(answers.group, index);
+    return compare_lookup(answers, index, trilinear(textures[q.texture], dvec2(q.uv), dvec2(q.dudv)), words);
+}
 
 void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto asked) {
-        checks.push_back({std::string("EvaluateTrilinear.") + name, Function::evaluate_trilinear, asked, judge});
+        checks.push_back({std::string("EvaluateTrilinear.") + name, Function::evaluate_trilinear, asked,
+                          judge_by(trilinear_deviation)});
     };
     auto const constant = [](double texels) { return [=](Random&, int) { return glm::dvec2(texels); }; };
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));

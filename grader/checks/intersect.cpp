@@ -1,4 +1,6 @@
+#include "checks/float_hit.h"
 #include "checks/matrices.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 #include "checks/shapes.h"
 
@@ -137,72 +139,89 @@ auto ask(IntersectQuestion (*make)(Random&))
     };
 }
 
-/// What is right in world space, with bounds.
+/// What is right in world space.
 struct WorldHit {
-    Hit hit;
-    double position_bound;
-    double normal_bound;
+    Certainty hit;
+    RoundedVector position;
+    RoundedVector normal;
+    Rounded t;
+
+    bool is_decided() const
+    {
+        return hit != Certainty::perhaps && std::isfinite(position.error() + normal.error() + t.error);
+    }
 };
 
-/// Inverting the matrix, transforming the ray, meeting the shape and transforming back are 64 roundings at most, each
-/// of operands as large as origin and path together; the matrix passes them on by its condition, the hit by 1/cosine.
-std::optional<WorldHit> meet_in_world(IntersectQuestion const& q)
+/// The distance by length of the difference, or as the object's t scaled by how the matrix or its inverse stretches the
+/// direction: all are right, so the least accurate counts.
+Rounded distance(RoundedLine const& world, RoundedVector const& position, RoundedTransform const& to_world,
+                 RoundedTransform const& to_object, RoundedLine const& object, Rounded t)
 {
-    glm::dmat4 const to_world = q.transform_objects != 0 ? dmat4(q.object_to_world) : glm::dmat4(1);
-    glm::dmat4 const to_object = glm::inverse(to_world);
-    Line const world{dvec3(q.origin), glm::normalize(dvec3(q.direction))};
-    Line const object{glm::dvec3(to_object * glm::dvec4(world.origin, 1)),
-                      glm::normalize(glm::dvec3(to_object * glm::dvec4(world.direction, 0)))};
-    auto const met = meet(q.shape, object);
-    if (!met)
-        return std::nullopt;
-    Hit hit = *met;
-    hit.position = glm::dvec3(to_world * glm::dvec4(met->position, 1));
-    hit.normal = glm::normalize(glm::transpose(glm::dmat3(to_object)) * met->normal);
-    hit.t = glm::length(hit.position - world.origin);
-    double const reach =
-        glm::length(world.origin) + hit.t + glm::length(glm::dvec3(to_world[3])) + glm::length(dvec3(q.shape.center));
-    double const k = condition(to_world);
-    double const position_bound = 64 * eps * k * reach / met->cosine;
-    double const size = q.shape.kind == ShapeKind::sphere ? q.shape.radius : reach;
-    return WorldHit{hit, position_bound, k * k * (position_bound / size + 16 * eps)};
+    Rounded const by_length = length(position - world.origin);
+    Rounded const by_scale = t * length(times_direction(to_world, object.direction));
+    Rounded const by_inverse = t / length(times_direction(to_object, world.direction));
+    return {by_length.value, std::max({by_length.error, by_scale.error, by_inverse.error})};
 }
 
-Deviation compare_hit(Answers const& answers, std::uint32_t i, bool right)
+/// As the framework does it, step by step: the matrix is inverted, the ray transformed, the shape met, and what was met
+/// transformed back. Rays normalise their direction, which transform_direction has done already.
+WorldHit meet_in_world(IntersectQuestion const& q)
+{
+    RoundedLine const world{exact_vector(q.origin), normalize(exact_vector(q.direction))};
+    if (q.transform_objects == 0) {
+        FloatHit const met = meet(q.shape, world);
+        return {met.hit, met.position, met.normal, met.t};
+    }
+    RoundedTransform const to_world = exact_transform(q.object_to_world);
+    RoundedTransform const to_object = inverse(to_world);
+    RoundedLine const object{times_position(to_object, world.origin),
+                             normalize(normalize(times_direction(to_object, world.direction)))};
+    FloatHit const met = meet(q.shape, object);
+    if (met.hit != Certainty::yes)
+        return {met.hit, {}, {}, {}};
+    RoundedVector const position = times_position(to_world, met.position);
+    RoundedVector const normal = normalize(times_direction(transpose(to_object), met.normal));
+    return {met.hit, position, normal, distance(world, position, to_world, to_object, object, met.t)};
+}
+
+Deviation compare_hit(Answers const& answers, std::uint32_t i, Certainty hit)
 {
     int const measured = integer(answers, i);
-    bool const equal = measured == (right ? 1 : 0);
-    return {equal ? 0 : HUGE_VAL, measured == 1 ? "true" : "false", right ? "true" : "false"};
+    bool const right = hit == Certainty::perhaps ? measured == 0 || measured == 1 : measured == (hit == Certainty::yes);
+    return {right ? 0 : HUGE_VAL, measured == 1 ? "true" : "false", hit == Certainty::no ? "false" : "true"};
 }
 
-std::vector<double> list(glm::dvec3 v)
+/// One component or three, from a word of the answer on; the bound is the same for all.
+template <std::size_t size>
+Deviation compare_part(Answers const& answers, std::uint32_t i, std::size_t word, std::vector<double> const& right,
+                       double bound, char const* name, Words words)
 {
-    return {v.x, v.y, v.z};
-}
-
-Deviation compare_part(Answers const& answers, std::uint32_t i, std::size_t word, glm::dvec3 right, double bound,
-                       char const* name)
-{
-    auto const measured = floats<3>(answers, i, word);
-    Deviation d = compare({measured.begin(), measured.end()}, list(right), std::vector<double>(3, bound));
+    auto const measured = floats<size>(answers, i, word);
+    Deviation d = compare({measured.begin(), measured.end()}, right, std::vector<double>(size, bound), words);
+    if (d.measured.empty())
+        return d;
     d.measured = fmt::format("isect->{} = {}", name, d.measured);
     d.expected = fmt::format("isect->{} = {}", name, d.expected);
     return d;
 }
 
-Deviation compare_distance(Answers const& answers, std::uint32_t i, WorldHit const& right)
+std::vector<double> list(RoundedVector const& v)
 {
-    Deviation d = compare({floats<1>(answers, i, 1)[0]}, {right.hit.t}, {right.position_bound});
-    d.measured = "isect->t = " + d.measured;
-    d.expected = "isect->t = " + d.expected;
-    return d;
+    return {v.x.value, v.y.value, v.z.value};
 }
 
-Deviation compare_place(Answers const& answers, std::uint32_t i, WorldHit const& right)
+Deviation compare_distance(Answers const& answers, std::uint32_t i, WorldHit const& right, Words words)
 {
-    return worst_of({compare_part(answers, i, 2, right.hit.position, right.position_bound, "position"),
-                     compare_part(answers, i, 5, right.hit.normal, right.normal_bound, "normal"),
-                     compare_part(answers, i, 8, right.hit.normal, right.normal_bound, "geometric_normal")});
+    return compare_part<1>(answers, i, 1, {right.t.value}, right.t.error, "t", words);
+}
+
+Deviation compare_place(Answers const& answers, std::uint32_t i, WorldHit const& right, Words words)
+{
+    auto const part = [&](std::size_t word, RoundedVector const& v, char const* name) {
+        return compare_part<3>(answers, i, word, list(v), v.error(), name, words);
+    };
+    return worst_of({part(2, right.position, "position"), part(5, right.normal, "normal"),
+                     part(8, right.normal, "geometric_normal")});
 }
 
 /// A scene, and the same moved, rotated and scaled as a whole with its ray.
@@ -223,7 +242,8 @@ MovedScene move_scene(Random& random, Textures const&)
 /// Rays are no near misses and no grazes, so float hits where double does.
 Deviation compare_hits(Answers const& answers, MovedScene const&, std::array<std::uint32_t, 2> const& places)
 {
-    Deviation deviation = compare_hit(answers, places[1], integer(answers, places[0]) == 1);
+    Deviation deviation =
+        compare_hit(answers, places[1], integer(answers, places[0]) == 1 ? Certainty::yes : Certainty::no);
     deviation.measured += ", before it was moved: " + deviation.expected;
     return deviation;
 }
@@ -237,34 +257,55 @@ Deviation both_hits_and_misses(Answers const& answers, std::vector<std::uint32_t
     return {both ? 0 : HUGE_VAL, fmt::format("{} of {} rays hit", hits, places.size()), "hits and misses"};
 }
 
+/// Where float may come to any answer, a hit is still made of numbers.
+Deviation undecided(Answers const& answers, std::uint32_t i, Certainty hit)
+{
+    Deviation deviation = compare_hit(answers, i, hit);
+    deviation.decided = false;
+    auto const words = floats<10>(answers, i, 1);
+    bool const finite = std::all_of(words.begin(), words.end(), [](float x) { return std::isfinite(x); });
+    if (integer(answers, i) == 1 && !finite)
+        deviation.in_bounds = HUGE_VAL;
+    return deviation;
+}
+
 enum class Judged { hit, distance, place, all };
 
-auto judge(Judged what)
+Deviation part_deviation(Judged what, Answers const& answers, std::uint32_t i, Words words)
 {
-    return [=](Answers const& answers, Textures const&) {
-        return judge_each<IntersectQuestion>(answers, [&](IntersectQuestion const& q, std::uint32_t i) {
-            auto const right = meet_in_world(q);
-            Deviation hit = compare_hit(answers, i, right.has_value());
-            if (!right || what == Judged::hit || !(hit.in_bounds <= 1))
-                return hit;
-            if (what == Judged::distance)
-                return compare_distance(answers, i, *right);
-            Deviation const place = compare_place(answers, i, *right);
-            return what == Judged::place ? place : worst_of({place, compare_distance(answers, i, *right)});
-        });
-    };
+    WorldHit const right = meet_in_world(question<IntersectQuestion>(answers.group, i));
+    Deviation const hit = compare_hit(answers, i, right.hit);
+    if (right.hit != Certainty::no && !right.is_decided())
+        return undecided(answers, i, right.hit);
+    if (right.hit == Certainty::no || what == Judged::hit || !(hit.in_bounds <= 1))
+        return hit;
+    if (what == Judged::distance)
+        return compare_distance(answers, i, right, words);
+    Deviation const place = compare_place(answers, i, right, words);
+    return what == Judged::place ? place : worst_of({place, compare_distance(answers, i, right, words)});
+}
+
+template <Judged what>
+Deviation deviation(Answers const& answers, std::uint32_t i, Textures const&, Words words)
+{
+    return part_deviation(what, answers, i, words);
 }
 }  // namespace
 
+Deviation intersect_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    return part_deviation(Judged::all, answers, index, words);
+}
+
 void add_intersect_checks(std::vector<UnitCheck>& checks)
 {
-    auto const add = [&](char const* name, auto make, Judged what) {
-        checks.push_back({std::string("Intersect.") + name, Function::intersect, ask(make), judge(what)});
+    auto const add = [&](char const* name, auto make, Oracle oracle) {
+        checks.push_back({std::string("Intersect.") + name, Function::intersect, ask(make), judge_by(oracle)});
     };
-    add("HitsAndMisses", ask_hit_or_miss, Judged::hit);
-    add("DistanceInTheWorld", ask_hit, Judged::distance);
-    add("PlaceInTheWorld", ask_hit, Judged::place);
-    add("TransformsOff", ask_untransformed, Judged::all);
+    add("HitsAndMisses", ask_hit_or_miss, deviation<Judged::hit>);
+    add("DistanceInTheWorld", ask_hit, deviation<Judged::distance>);
+    add("PlaceInTheWorld", ask_hit, deviation<Judged::place>);
+    add("TransformsOff", ask_untransformed, intersect_deviation);
     checks.push_back(metamorphic_check("Intersect.MovedScene", Function::intersect, Kind::intersect, move_scene,
                                        compare_hits, both_hits_and_misses));
 }

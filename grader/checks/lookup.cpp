@@ -8,23 +8,25 @@
 
 namespace testat {
 namespace {
-/// Largest componentwise difference between neighbours along x and along y, within one texel around (x..x+1, y..y+1).
+/// Largest componentwise difference between neighbours along x and along y, within `reach` around (x..x+1, y..y+1).
 struct Steps {
     glm::dvec4 along_s{0};
     glm::dvec4 along_t{0};
     glm::dvec4 largest{0};
 };
 
-Steps steps_around(TextureData const& texture, int level, int x, int y)
+Steps steps_around(TextureData const& texture, int level, int x, int y, glm::ivec2 reach)
 {
     Steps steps;
-    for (int j = y - 1; j <= y + 2; ++j)
-        for (int i = x - 1; i <= x + 2; ++i) {
+    int const end_x = x + 1 + reach.x;
+    int const end_y = y + 1 + reach.y;
+    for (int j = y - reach.y; j <= end_y; ++j)
+        for (int i = x - reach.x; i <= end_x; ++i) {
             glm::dvec4 const here = texel(texture, level, i, j);
             steps.largest = glm::max(steps.largest, glm::abs(here));
-            if (i < x + 2)
+            if (i < end_x)
                 steps.along_s = glm::max(steps.along_s, glm::abs(texel(texture, level, i + 1, j) - here));
-            if (j < y + 2)
+            if (j < end_y)
                 steps.along_t = glm::max(steps.along_t, glm::abs(texel(texture, level, i, j + 1) - here));
         }
     return steps;
@@ -62,9 +64,9 @@ Lookup bilinear(TextureData const& texture, int level, glm::dvec2 uv)
     auto const row = [&](int j) {
         return glm::mix(texel(texture, level, x, j), texel(texture, level, x + 1, j), s - x);
     };
-    Steps const steps = steps_around(texture, level, x, y);
     double const ds = coordinate_error(uv.x, size.x) + eps;
     double const dt = coordinate_error(uv.y, size.y) + eps;
+    Steps const steps = steps_around(texture, level, x, y, glm::ceil(glm::dvec2(ds, dt)));
     return {glm::mix(row(y), row(y + 1), t - y), steps.along_s * ds + steps.along_t * dt + 8 * eps * steps.largest};
 }
 
@@ -85,7 +87,8 @@ Lookup trilinear(TextureData const& texture, glm::dvec2 uv, glm::dvec2 dudv)
         glm::max(glm::abs(b.value - a.value), glm::max(glm::abs(a.value - bilinear(texture, before, uv).value),
                                                        glm::abs(bilinear(texture, behind, uv).value - b.value)));
     glm::dvec4 const largest = glm::max(glm::abs(a.value), glm::abs(b.value));
-    return {glm::mix(a.value, b.value, t - finer), glm::max(a.bound, b.bound) + step * lod.error + 4 * eps * largest};
+    double const error = lod.value - lod.error >= last ? 0 : lod.error;
+    return {glm::mix(a.value, b.value, t - finer), glm::max(a.bound, b.bound) + step * error + 4 * eps * largest};
 }
 
 void store_uv(glm::dvec2 st, glm::ivec2 size, float* uv)
@@ -93,11 +96,11 @@ void store_uv(glm::dvec2 st, glm::ivec2 size, float* uv)
     store(st / glm::dvec2(size), uv);
 }
 
-Deviation compare_lookup(Answers const& answers, std::uint32_t index, Lookup const& right)
+Deviation compare_lookup(Answers const& answers, std::uint32_t index, Lookup const& right, Words words)
 {
     auto const measured = floats<4>(answers, index);
     auto const list = [](glm::dvec4 v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
-    return compare({measured.begin(), measured.end()}, list(right.value), list(right.bound));
+    return compare({measured.begin(), measured.end()}, list(right.value), list(right.bound), words);
 }
 
 Deviation compare_mean(Answers const& answers, MeanOfTextures const& relation,

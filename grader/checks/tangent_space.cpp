@@ -1,4 +1,5 @@
 #include "checks/matrices.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 
 #include <fmt/format.h>
@@ -42,18 +43,6 @@ Group ask_lengths(Random& random, Textures const&)
     return make_group(Kind::tangent_space, questions);
 }
 
-/// Three products, two sums and the normalisation, in units of the length.
-Verdict judge(Answers const& answers, Textures const&)
-{
-    return judge_each<TangentSpaceQuestion>(answers, [&](TangentSpaceQuestion const& q, std::uint32_t i) {
-        glm::dvec3 const d = dvec3(q.d);
-        glm::dvec3 const sum = d.x * dvec3(q.tangent) + d.y * dvec3(q.normal) + d.z * dvec3(q.bitangent);
-        glm::dvec3 const right = glm::normalize(sum);
-        auto const measured = floats<3>(answers, i);
-        return compare({measured.begin(), measured.end()}, {right.x, right.y, right.z},
-                       std::vector<double>(3, 24 * eps));
-    });
-}
 /// f(Q^-1 d, R F Q) = R f(d, F) for a frame F and rotations.
 struct RotatedFrame {
     std::array<TangentSpaceQuestion, 2> questions;
@@ -69,7 +58,7 @@ RotatedFrame rotate_frame(Random& random, Textures const&)
     return {{make_question(frame, d), make_question(left * frame * right, glm::transpose(right) * d)}, left};
 }
 
-/// Both answers may be off as `judge` says, and the questions of both are rounded.
+/// Both answers may be off as tangent_space_deviation says, and the questions of both are rounded.
 Deviation compare_rotated(Answers const& answers, RotatedFrame const& relation,
                           std::array<std::uint32_t, 2> const& places)
 {
@@ -84,11 +73,28 @@ Deviation compare_rotated(Answers const& answers, RotatedFrame const& relation,
 }
 }  // namespace
 
+/// Three products and two sums make five roundings of the operands at most, normalising makes four more. Where the
+/// axes are not perpendicular the sum may cancel; then the error counts as it does for transform_direction.
+Deviation tangent_space_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    auto const q = question<TangentSpaceQuestion>(answers.group, index);
+    glm::dmat3 const axes(dvec3(q.tangent), dvec3(q.normal), dvec3(q.bitangent));
+    glm::dmat3 const magnitude(glm::abs(axes[0]), glm::abs(axes[1]), glm::abs(axes[2]));
+    glm::dvec3 const d = dvec3(q.d);
+    glm::dvec3 const sum = axes * d;
+    double const length = glm::length(sum);
+    double const error = 5 * eps * glm::length(magnitude * glm::abs(d)) + 0x1p-148;
+    glm::dvec3 const right = sum / length;
+    auto const measured = floats<3>(answers, index);
+    return compare({measured.begin(), measured.end()}, {right.x, right.y, right.z},
+                   std::vector<double>(3, 2 * error / length + 4 * eps), words);
+}
+
 void add_tangent_space_checks(std::vector<UnitCheck>& checks)
 {
     auto const add = [&](char const* name, auto ask) {
-        checks.push_back(
-            {std::string("TangentSpace.") + name, Function::transform_direction_to_object_space, ask, judge});
+        checks.push_back({std::string("TangentSpace.") + name, Function::transform_direction_to_object_space, ask,
+                          judge_by(tangent_space_deviation)});
     };
     add("OrthonormalFrames", ask_unit);
     add("LengthIsOne", ask_lengths);

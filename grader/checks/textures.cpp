@@ -3,12 +3,9 @@
 #include "checks/random.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace testat {
 namespace {
-using Colour = std::function<glm::vec4(int level, int x, int y)>;
-
 TextureData::Level make_level(int level, int width, int height, Colour const& colour)
 {
     TextureData::Level made{width, height, {}};
@@ -20,27 +17,9 @@ TextureData::Level make_level(int level, int width, int height, Colour const& co
     return made;
 }
 
-/// All levels down to 1 x 1.
-TextureData with_levels(int width, int height, Wrap wrap, Colour const& colour)
-{
-    TextureData texture{static_cast<std::uint32_t>(wrap), {}};
-    for (int level = 0;; ++level) {
-        texture.levels.push_back(make_level(level, width, height, colour));
-        if (width == 1 && height == 1)
-            return texture;
-        width = std::max(1, width / 2);
-        height = std::max(1, height / 2);
-    }
-}
-
 TextureData level_zero_only(int width, int height, Colour const& colour)
 {
     return {static_cast<std::uint32_t>(Wrap::repeat), {make_level(0, width, height, colour)}};
-}
-
-glm::vec4 coded(int level, int x, int y)
-{
-    return {float(level), float(x), float(y), 1.f};
 }
 
 /// Independent colours in [0, 1), multiples of 2^-12.
@@ -126,6 +105,23 @@ int wrapped(int i, int size, Wrap wrap)
     return remainder < 0 ? remainder + size : remainder;
 }
 }  // namespace
+
+TextureData with_levels(int width, int height, Wrap wrap, Colour const& colour)
+{
+    TextureData texture{static_cast<std::uint32_t>(wrap), {}};
+    for (int level = 0;; ++level) {
+        texture.levels.push_back(make_level(level, width, height, colour));
+        if (width == 1 && height == 1)
+            return texture;
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+    }
+}
+
+glm::vec4 coded(int level, int x, int y)
+{
+    return {float(level), float(x), float(y), 1.f};
+}
 
 Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
 {

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <string_view>
 
 namespace testat {
@@ -51,6 +52,15 @@ inline TextureData const& at(Textures const& textures, TestTexture which)
 {
     return textures[static_cast<std::uint32_t>(which)];
 }
+
+/// The colour of a texel.
+using Colour = std::function<glm::vec4(int level, int x, int y)>;
+
+/// All levels down to 1 x 1, each side half as long as before and at least 1.
+TextureData with_levels(int width, int height, Wrap wrap, Colour const& colour);
+
+/// (level, x, y, 1)
+glm::vec4 coded(int level, int x, int y);
 
 /// Size of a level.
 glm::ivec2 level_size(TextureData const& texture, int level);

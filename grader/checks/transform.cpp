@@ -1,4 +1,5 @@
 #include "checks/matrices.h"
+#include "checks/oracles.h"
 #include "checks/relations.h"
 
 #include <fmt/format.h>
@@ -91,7 +92,8 @@ Case mirrored_position(Random& random)
     return {matrix, random_vector(random, 10)};
 }
 
-/// Matrix times (v, w), and for each component what at most six float roundings of its operands make.
+/// Matrix times (v, w), and for each component what at most six float roundings of its operands make; each of four
+/// products may also lose half of the smallest float, 2^-149.
 struct Product {
     glm::dvec3 value;
     glm::dvec3 error;
@@ -104,32 +106,15 @@ Product product(TransformQuestion const& q, double w)
     glm::dmat4 magnitude;
     for (int i = 0; i < 4; ++i)
         magnitude[i] = glm::abs(m[i]);
-    return {glm::dvec3(m * v), 6 * eps * glm::dvec3(magnitude * glm::abs(v))};
+    return {glm::dvec3(m * v), 6 * eps * glm::dvec3(magnitude * glm::abs(v)) + 0x1p-148};
 }
 
-Deviation compare_vector(Answers const& answers, std::uint32_t index, glm::dvec3 right, glm::dvec3 bound)
+Deviation compare_vector(Answers const& answers, std::uint32_t index, glm::dvec3 right, glm::dvec3 bound, Words words)
 {
     auto const measured = floats<3>(answers, index);
-    return compare({measured.begin(), measured.end()}, {right.x, right.y, right.z}, {bound.x, bound.y, bound.z});
+    return compare({measured.begin(), measured.end()}, {right.x, right.y, right.z}, {bound.x, bound.y, bound.z}, words);
 }
 
-/// Normalising divides by a length that is off by no more than the vector is.
-Verdict judge_direction(Answers const& answers, Textures const&)
-{
-    return judge_each<TransformQuestion>(answers, [&](TransformQuestion const& q, std::uint32_t i) {
-        Product const p = product(q, 0);
-        double const length = glm::length(p.value);
-        return compare_vector(answers, i, p.value / length, glm::dvec3(2 * glm::length(p.error) / length + 4 * eps));
-    });
-}
-
-Verdict judge_position(Answers const& answers, Textures const&)
-{
-    return judge_each<TransformQuestion>(answers, [&](TransformQuestion const& q, std::uint32_t i) {
-        Product const p = product(q, 1);
-        return compare_vector(answers, i, p.value, p.error);
-    });
-}
 /// f(R M Q, Q^-1 d) = R f(M, d) for rotations.
 struct RotatedMatrix {
     std::array<TransformQuestion, 2> questions;
@@ -145,7 +130,8 @@ RotatedMatrix rotate_matrix(Random& random, Textures const&)
     glm::dvec3 const turned = glm::transpose(glm::dmat3(right)) * c.vector;
     RotatedMatrix relation{
         {make_question(c), make_question({left * c.matrix * right, turned})}, glm::dmat3(left), 8 * eps};
-    for (auto const& q : relation.questions)  // the answer as judge_direction says, and the question is rounded, too
+    for (auto const& q :
+         relation.questions)  // the answer as direction_deviation says, and the question is rounded, too
         relation.bound += 3 * glm::length(product(q, 0).error);
     return relation;
 }
@@ -213,11 +199,27 @@ Deviation compare_moved(Answers const& answers, MovedMatrix const& relation, std
 }
 }  // namespace
 
+/// Two vectors that differ by e have directions that differ by 2 |e| / |v| at most, however large e is; normalising
+/// itself is four roundings.
+Deviation direction_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    Product const p = product(question<TransformQuestion>(answers.group, index), 0);
+    double const length = glm::length(p.value);
+    glm::dvec3 const bound(2 * glm::length(p.error) / length + 4 * eps);
+    return compare_vector(answers, index, p.value / length, bound, words);
+}
+
+Deviation position_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words words)
+{
+    Product const p = product(question<TransformQuestion>(answers.group, index), 1);
+    return compare_vector(answers, index, p.value, p.error, words);
+}
+
 void add_transform_checks(std::vector<UnitCheck>& checks)
 {
     auto const direction = [&](char const* name, auto make_case) {
         checks.push_back({std::string("TransformDirection.") + name, Function::transform_direction, ask(make_case),
-                          judge_direction});
+                          judge_by(direction_deviation)});
     };
     direction("Rotations", rotated_direction);
     direction("TranslationIsIgnored", translated_direction);
@@ -225,8 +227,8 @@ void add_transform_checks(std::vector<UnitCheck>& checks)
     checks.push_back(metamorphic_check("TransformDirection.RotatedMatrix", Function::transform_direction,
                                        Kind::transform, rotate_matrix, compare_rotated));
     auto const position = [&](char const* name, auto make_case) {
-        checks.push_back(
-            {std::string("TransformPosition.") + name, Function::transform_position, ask(make_case), judge_position});
+        checks.push_back({std::string("TransformPosition.") + name, Function::transform_position, ask(make_case),
+                          judge_by(position_deviation)});
     };
     position("RigidMotions", rigid_position);
     position("NonUniformScale", scaled_position);

@@ -1,3 +1,4 @@
+#include "checks/oracles.h"
 #include "checks/relations.h"
 
 #include <fmt/format.h>
@@ -76,16 +77,11 @@ auto ask_negative(int (*last)(int))
     };
 }
 
-auto judge_with(int (*oracle)(int, int))
+Deviation compare_integers(int measured, int right)
 {
-    return [oracle](Answers const& answers, Textures const&) {
-        return judge_each<WrapQuestion>(answers, [&](WrapQuestion const& q, std::uint32_t i) {
-            int const measured = integer(answers, i);
-            int const right = oracle(q.val, q.size);
-            return Deviation{measured == right ? 0 : HUGE_VAL, std::to_string(measured), std::to_string(right)};
-        });
-    };
+    return {measured == right ? 0 : HUGE_VAL, std::to_string(measured), std::to_string(right)};
 }
+
 /// Inside the range: the same for every size, and mirrored with the range.
 struct MirroredRange {
     std::array<WrapQuestion, 3> questions;  ///< (v, n), (n - 1 - v, n), (v, another n)
@@ -141,20 +137,36 @@ Deviation compare_far(Answers const& answers, WholePeriods const& relation, std:
 }
 }  // namespace
 
+Deviation wrap_clamp_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words)
+{
+    auto const q = question<WrapQuestion>(answers.group, index);
+    return compare_integers(integer(answers, index), clamp(q.val, q.size));
+}
+
+Deviation wrap_repeat_deviation(Answers const& answers, std::uint32_t index, Textures const&, Words)
+{
+    auto const q = question<WrapQuestion>(answers.group, index);
+    return compare_integers(integer(answers, index), repeat(q.val, q.size));
+}
+
 void add_wrap_checks(std::vector<UnitCheck>& checks)
 {
-    checks.push_back({"WrapClamp.InsideTheRange", Function::wrap_clamp, ask_inside, judge_with(clamp)});
-    checks.push_back({"WrapClamp.NegativeIndices", Function::wrap_clamp, ask_negative(clamped), judge_with(clamp)});
-    checks.push_back({"WrapClamp.BeyondTheEnd", Function::wrap_clamp, ask_behind(clamped), judge_with(clamp)});
+    checks.push_back({"WrapClamp.InsideTheRange", Function::wrap_clamp, ask_inside, judge_by(wrap_clamp_deviation)});
+    checks.push_back(
+        {"WrapClamp.NegativeIndices", Function::wrap_clamp, ask_negative(clamped), judge_by(wrap_clamp_deviation)});
+    checks.push_back(
+        {"WrapClamp.BeyondTheEnd", Function::wrap_clamp, ask_behind(clamped), judge_by(wrap_clamp_deviation)});
     checks.push_back(metamorphic_check(
         "WrapClamp.MirroredRange", Function::wrap_clamp, Kind::wrap,
         [](Random& random, Textures const&) { return mirror_range(random); },
         [](Answers const& answers, MirroredRange const& relation, std::array<std::uint32_t, 3> const& places) {
             return compare_range(answers, relation, places.data());
         }));
-    checks.push_back({"WrapRepeat.InsideTheRange", Function::wrap_repeat, ask_inside, judge_with(repeat)});
-    checks.push_back({"WrapRepeat.BeyondTheEnd", Function::wrap_repeat, ask_behind(repeated), judge_with(repeat)});
-    checks.push_back({"WrapRepeat.NegativeIndices", Function::wrap_repeat, ask_negative(repeated), judge_with(repeat)});
+    checks.push_back({"WrapRepeat.InsideTheRange", Function::wrap_repeat, ask_inside, judge_by(wrap_repeat_deviation)});
+    checks.push_back(
+        {"WrapRepeat.BeyondTheEnd", Function::wrap_repeat, ask_behind(repeated), judge_by(wrap_repeat_deviation)});
+    checks.push_back(
+        {"WrapRepeat.NegativeIndices", Function::wrap_repeat, ask_negative(repeated), judge_by(wrap_repeat_deviation)});
     checks.push_back(metamorphic_check(
         "WrapRepeat.WholePeriods", Function::wrap_repeat, Kind::wrap, ask_periods,
         [](Answers const& answers, WholePeriods const& relation, std::array<std::uint32_t, 5> const& places) {

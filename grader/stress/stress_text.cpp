@@ -1,0 +1,151 @@
+#include "stress/stress_report.h"
+
+#include <fmt/format.h>
+
+namespace testat {
+namespace {
+struct Term {
+    char const* de;
+    char const* en;
+};
+
+constexpr Term heading{"Fehler in Einheiten der erlaubten Schranke (bis 1 ist richtig)",
+                       "Error in units of the allowed bound (up to 1 is right)"};
+constexpr Term function_term{"Funktion", "function"};
+constexpr Term inputs{"Eingaben", "inputs"};
+constexpr Term median{"Median", "median"};
+constexpr Term most{"99,9 %", "99.9 %"};
+constexpr Term worst{"größter", "largest"};
+constexpr Term wrong_term{"falsch", "wrong"};
+constexpr Term infinite_term{"unendlich", "infinite"};
+constexpr Term crash{"Absturz", "crash"};
+constexpr Term exception{"Ausnahme", "exception"};
+constexpr Term timeout{"Zeitlimit", "time-out"};
+constexpr Term left_out{"ausgelassen", "left out"};
+constexpr Term undecided{"unentscheidbar", "undecided"};
+constexpr Term counted{"Was sonst geschah", "What else happened"};
+constexpr Term nothing{"  nichts: keine Abstürze, kein NaN, nichts Unendliches",
+                       "  nothing: no crash, no NaN, nothing infinite"};
+constexpr Term outside{"außerhalb des Vertrags", "outside the contract"};
+constexpr Term not_written{"nicht geschrieben", "not written"};
+constexpr Term worst_inputs{"Schlechteste Eingaben", "Worst inputs"};
+constexpr Term input{"Eingabe ", "input   "};
+constexpr Term measured{"Ergebnis", "measured"};
+constexpr Term expected{"erwartet", "expected"};
+constexpr Term does_not_build{"Die Datei lässt sich nicht übersetzen oder binden:",
+                              "The file does not compile or link:"};
+
+class Printer {
+public:
+    Printer(Report const& document, Language language) : document_(document), german_(language == Language::de) {}
+
+    std::string print()
+    {
+        line("{}, seed {}", text(document_.at("file")), document_.at("seed").dump());
+        diagnostics();
+        if (!document_.at("functions").empty()) {
+            table();
+            counts();
+            worst_of_all();
+        }
+        return std::move(out_);
+    }
+
+private:
+    char const* say(Term term) const { return german_ ? term.de : term.en; }
+    static std::string text(Report const& value) { return value.get<std::string>(); }
+
+    template <typename... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments)
+    {
+        out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
+    }
+
+    void diagnostics()
+    {
+        if (document_.at("build").at("ok").get<bool>())
+            return;
+        line("{}", say(does_not_build));
+        constexpr std::size_t shown = 3;
+        std::size_t count = 0;
+        for (auto const& d : document_.at("build").at("diagnostics"))
+            if (count++ < shown)
+                line("  {}:{}: {}: {}", text(d.at("file")), d.at("line").get<int>(), text(d.at("severity")),
+                     text(d.at("message")));
+    }
+
+    /// Not finite: a wrong whole number, NaN or infinity.
+    static std::string error(Report const& function, char const* key)
+    {
+        if (function.at("judged") == 0)
+            return "-";
+        return function.at(key).is_null() ? "∞" : fmt::format("{:.3g}", function.at(key).get<double>());
+    }
+
+    void table()
+    {
+        line("\n{}\n", say(heading));
+        line("{:<36}{:>10}{:>10}{:>10}{:>10}{:>10}", say(function_term), say(inputs), say(median), say(most),
+             say(worst), say(wrong_term));
+        for (auto const& [name, f] : document_.at("functions").items()) {
+            if (f.at("written").get<bool>())
+                line("{:<36}{:>10}{:>10}{:>10}{:>10}{:>10}", name, f.at("in_contract").get<int>(), error(f, "median"),
+                     error(f, "p999"), error(f, "max"), f.at("wrong").get<int>());
+            else
+                line("{:<36}{:>10}", name, say(not_written));
+        }
+    }
+
+    std::string described(Report const& f) const
+    {
+        std::pair<char const*, Term> const keys[] = {
+            {"nan", {"NaN", "NaN"}}, {"infinite", infinite_term}, {"crashed", crash},      {"exceptions", exception},
+            {"timed_out", timeout},  {"not_answered", left_out},  {"undecided", undecided}};
+        std::string all;
+        for (auto const& [key, term] : keys)
+            if (f.value(key, 0) > 0)
+                all += fmt::format("{}{} {}", all.empty() ? "" : ", ", f.at(key).get<int>(), say(term));
+        return all;
+    }
+
+    void counts()
+    {
+        line("\n{}", say(counted));
+        bool any = false;
+        for (auto const& [name, f] : document_.at("functions").items()) {
+            std::string const inside = described(f);
+            std::string const beyond = described(f.at("outside"));
+            any = any || !inside.empty() || !beyond.empty();
+            if (!inside.empty())
+                line("  {}: {}", name, inside);
+            if (!beyond.empty())
+                line("  {}, {} ({}): {}", name, say(outside), f.at("outside").at("asked").get<int>(), beyond);
+        }
+        if (!any)
+            line("{}", say(nothing));
+    }
+
+    void worst_of_all()
+    {
+        line("\n{}", say(worst_inputs));
+        for (auto const& [name, f] : document_.at("functions").items()) {
+            if (f.at("worst_input").is_null() || f.at("max") == 0)
+                continue;
+            line("  {} ({})", name, error(f, "max"));
+            line("    {}  {}", say(input), text(f.at("worst_input")));
+            line("    {}  {}", say(measured), text(f.at("measured")));
+            line("    {}  {}", say(expected), text(f.at("expected")));
+        }
+    }
+
+    Report const& document_;
+    bool german_;
+    std::string out_;
+};
+}  // namespace
+
+std::string stress_to_text(Report const& document, Language language)
+{
+    return Printer(document, language).print();
+}
+}  // namespace testat
