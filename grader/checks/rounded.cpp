@@ -9,9 +9,8 @@ RoundedTransform inverse(RoundedTransform const& m)
     RoundedTransform result = transpose(rows);
     for (auto& column : result.columns)
         column = scale * column;
-    // The determinants of two columns and the translation: Cramer's rule for the point that comes to lie at zero.
     RoundedVector const& t = m.translation;
-    RoundedVector const moved = {dot(cross(c[2], c[1]), t), dot(cross(c[0], c[2]), t), dot(cross(c[1], c[0]), t)};
+    RoundedVector const moved = {-dot(c[1], cross(c[2], t)), dot(c[0], cross(c[2], t)), -dot(c[0], cross(c[1], t))};
     result.translation = scale * moved;
     return result;
 }

@@ -122,9 +122,10 @@ inline RoundedVector times_direction(RoundedTransform const& m, RoundedVector co
 {
     return d.x * m.columns[0] + d.y * m.columns[1] + d.z * m.columns[2];
 }
+/// Summed up in GLM's order: the first two and the last two.
 inline RoundedVector times_position(RoundedTransform const& m, RoundedVector const& p)
 {
-    return times_direction(m, p) + m.translation;
+    return (p.x * m.columns[0] + p.y * m.columns[1]) + (p.z * m.columns[2] + m.translation);
 }
 
 /// An affine matrix of a question.
@@ -140,6 +141,6 @@ inline RoundedTransform transpose(RoundedTransform const& m)
     return {{{c[0].x, c[1].x, c[2].x}, {c[0].y, c[1].y, c[2].y}, {c[0].z, c[1].z, c[2].z}}, {}};
 }
 
-/// As glm::inverse does: cofactors times one over the determinant, the translation by minors of its own.
+/// As glm::inverse does, in its order: cofactors times one over the determinant, the translation by minors of its own.
 RoundedTransform inverse(RoundedTransform const& m);
 }  // namespace testat
