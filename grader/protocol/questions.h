@@ -89,8 +89,8 @@ struct PictureQuestion {
     char name[32];
 };
 
-/// A small picture of the scene "sphere" with transforms and normal maps and without shadows, all of its textures being one of the
-/// request's. Answer: rendering_side^2 * 3 floats, row 0 at the bottom.
+/// A small picture of the scene "sphere" with transforms and normal maps and without shadows, all of its textures being
+/// one of the request's. Answer: rendering_side^2 * 3 floats, row 0 at the bottom.
 struct RenderingQuestion {
     std::uint32_t texture;  ///< index into the textures of the request; needs all of its levels
     std::uint32_t filter;   ///< TextureFilterMode of the framework
