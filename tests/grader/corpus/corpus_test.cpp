@@ -1,20 +1,28 @@
 // Every file of the corpus is graded as its first line says:
 //   // verdict: {"loses": {"wrap_repeat": [0.5, 1]}, "says": {"wrap_repeat": "partial"}, "policy": [], "prints": [],
-//           "remarks": []}
+//           "remarks": [], "sanitizers": true}
 // loses: points that functions lose before policy, from and to; every other function has all of its points.
 // says: their words in report.json; every other function is "correct".
 // policy: what of the sheet's policies applies; none if it is left out.
 // prints: functions whose checks must say that they print.
 // remarks: the ids of exactly the remarks that the report makes; none if it is left out.
+// sanitizers: false for what shows with the system's own heap and signals only; true if it is left out.
 #include "end_to_end/testat_program.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace testat {
 namespace {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 std::string const mark = "// verdict: ";
 
 struct Case {
@@ -94,8 +102,9 @@ void expect_remarks(Json const& report, Json const& remarks)
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
+    static std::set<std::string> const keys{"loses", "says", "policy", "prints", "remarks", "sanitizers"};
     for (auto const& [key, value] : verdict.items())
-        EXPECT_TRUE(key == "loses" || key == "says" || key == "policy" || key == "prints" || key == "remarks") << key;
+        EXPECT_EQ(keys.count(key), 1u) << key;
     for (char const* key : {"loses", "says"}) {
         Json const functions = verdict.value(key, Json::object());
         for (auto const& [name, value] : functions.items())
@@ -108,6 +117,8 @@ class Corpus : public testing::TestWithParam<Case> {};
 TEST_P(Corpus, IsGradedAsItsFirstLineSays)
 {
     Json const verdict = read_verdict(GetParam().file);
+    if (is_sanitized && !verdict.value("sanitizers", true))
+        GTEST_SKIP();
     TemporaryDirectory const place;
     Graded const graded = grade_file(GetParam().file, place.path(), {"--compiler", GetParam().compiler});
     ASSERT_EQ(graded.exit_code, 0) << graded.out << graded.err;
