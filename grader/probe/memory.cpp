@@ -2,8 +2,6 @@
 
 #include <malloc.h>
 
-#include <array>
-#include <cstdlib>
 #include <cstring>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -23,21 +21,6 @@ template <std::size_t size>
 
 constexpr std::size_t whole_stack = 256 << 10;
 constexpr std::size_t next_frames = 4 << 10;  ///< of a student's function and what it calls
-
-/// The small blocks that malloc has at hand from before; it hands those out as they are.
-void fill_free_blocks(int byte)
-{
-    constexpr std::size_t largest = 1032;
-    constexpr std::size_t kept_of_each = 8;
-    for (std::size_t size = 24; size <= largest; size += 16) {
-        std::array<void*, kept_of_each> blocks;
-        for (void*& block : blocks)
-            if ((block = std::malloc(size)) != nullptr)
-                std::memset(block, byte, size);
-        for (void* block : blocks)
-            std::free(block);
-    }
-}
 }  // namespace
 
 void prepare_memory(std::uint32_t fill)
@@ -46,7 +29,6 @@ void prepare_memory(std::uint32_t fill)
         return;
     fill_frame<whole_stack>(int(fill));
     mallopt(M_PERTURB, int(fill ^ 0xff));  // new blocks get the complement
-    fill_free_blocks(int(fill));
 }
 
 void fill_stack(std::uint32_t fill)
