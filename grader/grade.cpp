@@ -1,6 +1,7 @@
 #include "grade.h"
 
 #include "checks/picture_rounds.h"
+#include "checks/remarks.h"
 #include "checks/run_checks.h"
 #include "observe/observe.h"
 #include "process/run.h"
@@ -51,9 +52,17 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     double observe_ms = 0;
     auto const answers = [&](Request const& request) { return observe_if_any(build, request, where, observe_ms); };
 
-    CheckResults results = check(answers(questions.request), questions, rubric);
-    judge_submitted(results, rubric, build, answers(ask_submitted(rubric, results, build)), where);
-    judge_isolated(results, answers(ask_isolated(rubric, results, build)), where);
+    Observations const units = answers(questions.request);
+    CheckResults results = check(units, questions, rubric);
+    Request submitted = ask_submitted(rubric, results, build);
+    ask_again(submitted, units, questions.request.textures);
+    Observations const again = answers(submitted);
+    judge_submitted(results, rubric, build, again, where);
+    Request isolated = ask_isolated(rubric, results, build);
+    ask_about_differences(isolated, units, again, questions.request.textures);
+    Observations const differences = answers(isolated);
+    judge_isolated(results, differences, where);
+    results.remarks = find_remarks(units, again, differences);
     explain(results, answers(ask_repaired(results)), where);
     double const check_ms = ms_since(start) - compiled_ms - observe_ms;
     Grade const grade = score(results, build, rubric, options.lenient);

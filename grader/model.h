@@ -140,10 +140,18 @@ inline IsolatedPicture const* worst(PictureResult const& picture)
     return worst;
 }
 
+/// A finding that changes no points.
+struct Remark {
+    std::string id;                   ///< "depends_on_earlier_calls", "differs_between_runs", "races" or "leaks"
+    std::vector<Function> functions;  ///< in the order of the sheet; none if nobody can tell which
+    Phrase text;
+};
+
 struct CheckResults {
     std::vector<CheckResult> checks;
     std::map<Function, std::string> mistakes;  ///< id of the one mistake that explains what a function answers
     std::vector<PictureResult> pictures;
+    std::vector<Remark> remarks;
 };
 
 enum class FunctionVerdict { correct, partial, wrong, missing, crashed, timed_out };

@@ -103,13 +103,13 @@ FootprintQuestion ask_misses(Random& random)
     FootprintQuestion q = make_question(plane, position, {0, 1, 0}, {1, 0, 0});
     glm::dvec3 const eye = position + glm::dvec3(0, 2, 0);
     set_corners(q, {eye, {random.uniform(0.1, 0.5), 0, 0}, {0, 0, -random.uniform(0.1, 0.5)}});
-    // Never the first corner: from there, the differences to the others are still the size of the box, which other
-    // checks look at.
+    // The first corner only if all miss: from there, the differences to the others are still the size of the box,
+    // which other checks look at.
     int const first = random.integer(0, 2);
-    int const misses = random.integer(1, 3);
+    int const misses = random.integer(1, 4);
     for (int i = 0; i < misses; ++i) {  // upward, or exactly parallel
         glm::dvec3 const away(random.uniform(-1, 1), random.coin() ? 0.0 : random.uniform(0.1, 1), 1);
-        store(glm::normalize(away), q.direction[1 + (first + i) % 3]);
+        store(glm::normalize(away), q.direction[i < 3 ? 1 + (first + i) % 3 : 0]);
     }
     return q;
 }

@@ -78,8 +78,8 @@ Group ask_negative(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < questions_each / 2; ++i) {
-        // Up to three periods away at first, up to a thousand towards the end.
-        int const farthest = i < questions_each * 3 / 8 ? 48 : 16'000;
+        // Up to three periods away at first, up to 128 towards the end: beyond, a float has too few digits to tell.
+        int const farthest = i < questions_each * 3 / 8 ? 48 : 2048;
         glm::ivec2 texel(random.integer(-farthest, -2), random.integer(-farthest, -2));
         if (random.integer(0, 2) == 0)
             texel[random.integer(0, 1)] = random.integer(1, 13);
@@ -99,10 +99,14 @@ Group ask_inner(Random& random, Textures const& textures)
 }
 
 /// Behind the centre of the last texel, where the wrap mode says what the neighbours are. In mode zero one column
-/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not.
+/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not. And each
+/// corner of the texture twice, where the difference is 0 whatever the value is, unless it is not finite.
 Group ask_border(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
+    for (double s : {0, 16})
+        for (double t : {0, 16})
+            questions.insert(questions.end(), 2, ask_at(TestTexture::stripes, textures, 0, {s, t}));
     for (int i = 0; i < questions_each / 8; ++i) {
         add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
         add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);

@@ -56,6 +56,20 @@ glm::dvec2 magnified(Random& random, int i)
     return glm::dvec2(i % 8 == 0 ? 1 : std::exp2(random.uniform(-12, 0)));
 }
 
+/// The first four exactly in the corners of the unit square.
+Group ask_magnified(Random& random, Textures const& textures)
+{
+    std::vector<LookupQuestion> questions;
+    for (int i = 0; i < int(questions_each); ++i) {
+        LookupQuestion q =
+            ask_footprint(random, textures, TestTexture::noise_square, Place::inside, magnified(random, i));
+        if (i < 4)
+            store(glm::dvec2(i % 2, i / 2), q.uv);
+        questions.push_back(q);
+    }
+    return make_group(Kind::lookup, questions);
+}
+
 glm::dvec2 beyond(Random& random, int)
 {
     return glm::dvec2(32 * std::exp2(random.uniform(0.05, 10)));
@@ -100,7 +114,7 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));
     add("LargerSideDecides",
         ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square}, unequal, Place::anywhere));
-    add("Magnified", ask({TestTexture::noise_square}, magnified));
+    add("Magnified", ask_magnified);
     add("NoFootprint", ask({TestTexture::noise_square}, constant(0)));
     add("LastLevel", ask({TestTexture::noise_square}, constant(32)));
     add("BeyondTheLastLevel", ask({TestTexture::noise_square, TestTexture::mip_single}, beyond));

@@ -1,5 +1,6 @@
 #include "checks/check.h"
 #include "checks/picture_rounds.h"
+#include "checks/remarks.h"
 #include "checks/run_checks.h"
 #include "text.h"
 
@@ -23,6 +24,7 @@ Group unit_group(UnitCheck const& check, std::uint64_t seed, Textures const& tex
     Group group = check.ask(random, textures);
     group.name = check.name;
     group.under_test = check.function;
+    group.fill = usual_fill;
     group.from_upload = FunctionSet::only(check.function);
     return group;
 }

@@ -1,9 +1,14 @@
 #include "probe/answer.h"
 
+#include "probe/interruptions.h"
+#include "probe/memory.h"
+
 #include <cglib/rt/texture_access.h>
 
+#include <cglib/core/thread_pool.h>
 #include <cglib/rt/assignment_images.h>
 #include <cglib/rt/object.h>
+#include <cglib/rt/prepared_render.h>
 #include <cglib/rt/raytracing_context.h>
 #include <cglib/rt/renderer.h>
 #include <cglib/rt/scenes.h>
@@ -13,6 +18,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace testat {
@@ -123,6 +129,13 @@ void write_levels(std::vector<std::shared_ptr<Image>> const& levels, Sheet& shee
                 sheet.vector(levels[i]->getPixel(x, y));
 }
 
+void write_pixels(Image const& image, Sheet& sheet)
+{
+    for (int y = 0; y < image.getHeight(); ++y)
+        for (int x = 0; x < image.getWidth(); ++x)
+            sheet.vector(glm::vec3(image.getPixel(x, y)));
+}
+
 /// What a group needs to answer its questions; textures are made when the first question asks for them.
 class Answerer {
 public:
@@ -150,12 +163,17 @@ public:
                 return tangent_space(read<TangentSpaceQuestion>(question), sheet);
             case Kind::picture:
                 return picture(read<PictureQuestion>(question), sheet);
+            case Kind::rendering:
+                return rendering(read<RenderingQuestion>(question), sheet);
             default:
                 throw std::runtime_error("request: unknown kind of question");
         }
     }
 
 private:
+    static constexpr int tile_rows = 4;  ///< of a rendering
+    static_assert(rendering_side % tile_rows == 0);
+
     template <typename T>
     static T read(std::byte const* bytes)
     {
@@ -175,12 +193,14 @@ private:
     void wrap(WrapQuestion const& q, Sheet& sheet) const
     {
         bool const clamp = group_.under_test == Function::wrap_clamp;
+        fill_stack(group_.fill);
         sheet.integer(clamp ? ImageTexture::wrap_clamp(q.val, q.size) : ImageTexture::wrap_repeat(q.val, q.size));
     }
 
     void lookup(LookupQuestion const& q, Sheet& sheet)
     {
         ImageTexture const& t = texture(q.texture);
+        fill_stack(group_.fill);
         switch (group_.under_test) {
             case Function::evaluate_nearest:
                 return sheet.vector(t.evaluate_nearest(q.level, vec2(q.uv)));
@@ -191,11 +211,13 @@ private:
         }
     }
 
-    void mipmap(MipmapQuestion const& q, Sheet& sheet)
+    /// On a texture of its own, as the framework never asks for mip levels where there are some.
+    void mipmap(MipmapQuestion const& q, Sheet& sheet) const
     {
-        ImageTexture& t = texture(q.texture);
-        t.create_mipmap();
-        write_levels(t.get_mip_levels(), sheet);
+        auto const t = make_texture(textures_.at(q.texture));
+        fill_stack(group_.fill);
+        t->create_mipmap();
+        write_levels(t->get_mip_levels(), sheet);
     }
 
     void footprint(FootprintQuestion const& q, Sheet& sheet) const
@@ -214,12 +236,14 @@ private:
         isect.bitangent = vec3(q.bitangent);
         isect.uv = vec2(q.uv);
         isect.t = glm::length(isect.position - rays[0].origin);
+        fill_stack(group_.fill);
         sheet.vector(object->compute_uv_aabb_size(rays, isect));
     }
 
     void transform(TransformQuestion const& q, Sheet& sheet) const
     {
         bool const direction = group_.under_test == Function::transform_direction;
+        fill_stack(group_.fill);
         sheet.vector(direction ? transform_direction(mat4(q.matrix), vec3(q.vector))
                                : transform_position(mat4(q.matrix), vec3(q.vector)));
     }
@@ -230,6 +254,7 @@ private:
         auto const object = make_object(q.shape);
         object->set_transform_object_to_world(mat4(q.object_to_world));
         Intersection isect;
+        fill_stack(group_.fill);
         bool const hit = object->intersect(Ray(vec3(q.origin), vec3(q.direction)), &isect);
         sheet.integer(hit ? 1 : 0);
         sheet.number(isect.t);
@@ -238,8 +263,9 @@ private:
         sheet.vector(isect.geometric_normal);
     }
 
-    static void tangent_space(TangentSpaceQuestion const& q, Sheet& sheet)
+    void tangent_space(TangentSpaceQuestion const& q, Sheet& sheet) const
     {
+        fill_stack(group_.fill);
         sheet.vector(
             transform_direction_to_object_space(vec3(q.d), vec3(q.normal), vec3(q.tangent), vec3(q.bitangent)));
     }
@@ -269,9 +295,42 @@ private:
         RenderOptions options;
         options.culling = group_.culling || sanitized;
         render_scene(*create_scene(wanted.scene, assets_), wanted.params, &image, options);
-        for (int y = 0; y < image.getHeight(); ++y)
-            for (int x = 0; x < image.getWidth(); ++x)
-                sheet.vector(glm::vec3(image.getPixel(x, y)));
+        write_pixels(image, sheet);
+    }
+
+    void rendering(RenderingQuestion const& q, Sheet& sheet)
+    {
+        if (q.filter > TRILINEAR || q.wrap > ZERO || q.threads < 1 || q.threads > max_threads)
+            throw std::runtime_error("request: malformed rendering");
+        RaytracingParameters params;
+        params.width = params.height = int(rendering_side);
+        params.max_depth = 1;
+        params.shadows = false;
+        params.normal_mapping = true;
+        params.tex_filter_mode = TextureFilterMode(q.filter);
+        params.tex_wrap_mode = TextureWrapMode(q.wrap);
+        PreparedRender const prepared(scene_of(q.texture), params);
+        Image image(params.width, params.height);
+        bool const interrupted = q.threads > 1;
+        ThreadPool(int(q.threads)).run(params.height / tile_rows, [&](int i) {
+            std::optional<Interruptions> interruptions;
+            if (interrupted)
+                interruptions.emplace();
+            prepared.render({0, i * tile_rows, params.width, (i + 1) * tile_rows}, &image);
+        });
+        write_pixels(image, sheet);
+    }
+
+    /// "sphere", all of its textures being that one.
+    Scene& scene_of(std::uint32_t index)
+    {
+        auto& scene = scenes_[index];
+        if (scene)
+            return *scene;
+        scene = create_scene("sphere", assets_);
+        for (auto const& entry : scene->textures)
+            TextureAccess::levels(*entry.texture) = texture(index).get_mip_levels();
+        return *scene;
     }
 
     Group const& group_;
@@ -280,6 +339,7 @@ private:
     RaytracingContext context_;
     RaytracingContext::Activation activation_;
     std::map<std::uint32_t, std::unique_ptr<ImageTexture>> made_;
+    std::map<std::uint32_t, std::unique_ptr<Scene>> scenes_;
 };
 }  // namespace
 

@@ -11,6 +11,7 @@ struct Blackboard {
     Phase phase = Phase::starting;
     std::uint32_t answered = 0;
     double work_s = 0;    ///< CPU time of answering
+    double kept = 0;      ///< bytes on the heap that asking a second time has left behind
     char text[256] = {};  ///< what() of an exception; empty if it has none
 };
 

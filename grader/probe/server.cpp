@@ -96,6 +96,7 @@ GroupStatus describe(Death const& death, Blackboard const& board, double limit_s
     status.answered = board.answered;
     status.cpu_s = death.cpu_s;
     status.work_s = board.work_s;
+    status.kept = board.kept;
     std::copy(std::begin(board.text), std::end(board.text), status.text);
     return status;
 }

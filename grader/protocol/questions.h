@@ -13,6 +13,7 @@ enum class Kind : std::uint32_t {
     intersect,
     tangent_space,
     picture,
+    rendering,
     count
 };
 
@@ -88,6 +89,17 @@ struct PictureQuestion {
     char name[32];
 };
 
+/// A small picture of the scene "sphere" with transforms and normal maps and without shadows, all of its textures being
+/// one of the request's. Answer: rendering_side^2 * 3 floats, row 0 at the bottom.
+struct RenderingQuestion {
+    std::uint32_t texture;  ///< index into the textures of the request; needs all of its levels
+    std::uint32_t filter;   ///< TextureFilterMode of the framework
+    std::uint32_t wrap;     ///< TextureWrapMode of the framework
+    std::uint32_t threads;  ///< 1 to max_threads
+};
+constexpr std::uint32_t rendering_side = 64;
+constexpr std::uint32_t max_threads = 16;
+
 /// How mip levels are laid out in an answer: word 0 is the number of levels, then width and height of up to
 /// `max_levels` levels, then the RGBA floats of one level after the other, as far as `capacity_texels` reaches.
 struct MipmapLayout {
@@ -112,6 +124,8 @@ constexpr std::uint32_t answer_words(Kind kind)
             return 11;
         case Kind::tangent_space:
             return 3;
+        case Kind::rendering:
+            return 3 * rendering_side * rendering_side;
         default:
             return 0;
     }
@@ -137,6 +151,8 @@ constexpr std::uint32_t question_bytes(Kind kind)
             return sizeof(TangentSpaceQuestion);
         case Kind::picture:
             return sizeof(PictureQuestion);
+        case Kind::rendering:
+            return sizeof(RenderingQuestion);
         default:
             return 0;
     }

@@ -103,6 +103,8 @@ void write(Writer& out, Group const& group)
     out.value(group.count);
     out.value(group.words_per_answer);
     out.value(std::uint32_t(group.culling));
+    out.value(group.fill);
+    out.value(std::uint32_t(group.twice));
     out.list(group.questions);
 }
 
@@ -117,8 +119,11 @@ Group read_group(Reader& in)
     group.count = in.value<std::uint32_t>();
     group.words_per_answer = in.value<std::uint32_t>();
     group.culling = in.value<std::uint32_t>() != 0;
+    group.fill = in.value<std::uint32_t>();
+    group.twice = in.value<std::uint32_t>() != 0;
     group.questions = in.list<std::byte>();
-    if (group.kind >= Kind::count || group.questions.size() != std::size_t(group.count) * question_bytes(group.kind))
+    if (group.kind >= Kind::count || group.fill > 255 ||
+        group.questions.size() != std::size_t(group.count) * question_bytes(group.kind))
         throw std::runtime_error("request: group " + group.name + " is malformed");
     return group;
 }

@@ -30,7 +30,11 @@ struct Group {
     Kind kind = Kind::wrap;
     std::uint32_t count = 0;
     std::uint32_t words_per_answer = 0;
-    bool culling = true;               ///< of a picture: objects that a ray cannot meet may be left out
+    bool culling = true;  ///< of a picture: objects that a ray cannot meet may be left out
+    /// What memory holds that nobody has written to yet, 1 to 255; 0 leaves it as it happens to be. A function that
+    /// gives other answers with another fill reads memory before it is written.
+    std::uint32_t fill = 0;
+    bool twice = false;                ///< all questions are asked once more: see GroupStatus::kept
     std::vector<std::byte> questions;  ///< count * question_bytes(kind)
 
     std::size_t answer_size() const { return std::size_t(count) * words_per_answer; }  ///< in words
@@ -61,8 +65,10 @@ struct GroupStatus {
     std::uint32_t printed = 0;   ///< bytes written to stdout and stderr, as far as they were kept
     double cpu_s = 0;            ///< of the child, all of it
     double work_s = 0;           ///< of answering only, as the child says it
-    char text[256] = {};         ///< what() of an exception, or the loader's complaint
-    char output[256] = {};       ///< the beginning of what was printed
+    /// Of a group that is asked twice: bytes on the heap that the second time has left behind, as the child says it.
+    double kept = 0;
+    char text[256] = {};    ///< what() of an exception, or the loader's complaint
+    char output[256] = {};  ///< the beginning of what was printed
 };
 static_assert(std::is_trivially_copyable_v<GroupStatus>);
 

@@ -217,6 +217,19 @@ Report pictures_part(CheckResults const& results)
     return pictures;
 }
 
+Report remarks_part(CheckResults const& results)
+{
+    Report remarks = Report::array();
+    for (auto const& remark : results.remarks) {
+        Report functions = Report::array();
+        for (Function f : remark.functions)
+            functions.push_back(info(f).name);
+        remarks.push_back(
+            {{"id", remark.id}, {"functions", functions}, {"de", remark.text.de}, {"en", remark.text.en}});
+    }
+    return remarks;
+}
+
 Report run_time_part(CheckResults const& results)
 {
     Report times = Report::array();
@@ -252,6 +265,8 @@ Report make_report(Submission const& submission, Build const& build, CheckResult
                      {"timing", timing_part(timing)}};
     if (!grade.unofficial.empty())
         report["unofficial"] = unofficial_part(grade, build);
+    if (!results.remarks.empty())
+        report["remarks"] = remarks_part(results);
     return report;
 }
 

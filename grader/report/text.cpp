@@ -31,6 +31,7 @@ constexpr Term expected{"erwartet", "expected"};
 constexpr Term hint{"Hinweis", "hint"};
 constexpr Term cause{"Ursache", "cause"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
+constexpr Term remarks_term{"Anmerkungen (ändern keine Punkte)", "Remarks (they change no points)"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
 constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
 constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
@@ -113,6 +114,7 @@ public:
         table();
         first_mistakes();
         pictures();
+        remarks();
         return std::move(out_);
     }
 
@@ -296,6 +298,17 @@ private:
                 line("\n{}", say(pictures_term));
             any = true;
             line("  {:<26}{}", text(picture.at("name")), wrap(finding(picture), 28));
+        }
+    }
+
+    void remarks()
+    {
+        if (!report_.contains("remarks"))
+            return;
+        line("\n{}", say(remarks_term));
+        for (auto const& remark : report_.at("remarks")) {
+            std::string const names = join(remark.at("functions"));
+            line("  {}", wrap(names + (names.empty() ? "" : ": ") + phrase(remark), 4));
         }
     }
 

@@ -44,8 +44,7 @@ double half_away_from_zero(double x)
     return std::round(x);
 }
 
-/// (int)(x + 0.5f)
-double nearest_by_cast(double x)
+double one_half_and_cast(double x)
 {
     return std::trunc(x + 0.5);
 }
@@ -60,7 +59,8 @@ void add_evaluate_nearest_mistakes(std::vector<Mistake>& mistakes)
         mistakes.push_back(std::move(mistake));
     };
     add("nearest_casts", {{towards_zero}});
-    add("nearest_rounds", {{nearest}, {half_away_from_zero}, {nearest_by_cast}});
+    add("nearest_rounds", {{nearest}, {half_away_from_zero}});
+    add("nearest_adds_one_half", {{one_half_and_cast}});
     add("nearest_size_of_level_zero", {{down, true}});
     add("nearest_ignores_level", {{down, false, true}, {down, true, true}});
     add("nearest_swaps_width_and_height", {{down, false, false, true}});

@@ -55,9 +55,20 @@ TEST(TestTextures, HaveTheSizesTheirNamesSay)
     EXPECT_EQ(level_size(at(t, TestTexture::coded_square), 0), glm::ivec2(16, 16));
     EXPECT_EQ(level_size(at(t, TestTexture::coded_wide), 3), glm::ivec2(4, 1));
     EXPECT_EQ(level_size(at(t, TestTexture::noise_wide), 6), glm::ivec2(1, 1));
+    EXPECT_EQ(level_size(at(t, TestTexture::noise_high), 4), glm::ivec2(1, 4));
     EXPECT_EQ(level_size(at(t, TestTexture::mip_high), 0), glm::ivec2(4, 64));
     EXPECT_EQ(level_size(at(t, TestTexture::mip_single), 0), glm::ivec2(1, 1));
+}
+
+TEST(TestTextures, WrapAsTheirNamesSay)
+{
+    Textures const t = make_test_textures(1);
+    EXPECT_EQ(at(t, TestTexture::coded_wide).wrap_mode, std::uint32_t(Wrap::repeat));
+    EXPECT_EQ(at(t, TestTexture::coded_wide_clamp).wrap_mode, std::uint32_t(Wrap::clamp));
     EXPECT_EQ(at(t, TestTexture::coded_wide_zero).wrap_mode, std::uint32_t(Wrap::zero));
+    EXPECT_EQ(at(t, TestTexture::stripes).wrap_mode, std::uint32_t(Wrap::repeat));
+    EXPECT_EQ(at(t, TestTexture::stripes_clamp).wrap_mode, std::uint32_t(Wrap::clamp));
+    EXPECT_EQ(at(t, TestTexture::stripes_zero).wrap_mode, std::uint32_t(Wrap::zero));
 }
 
 TEST(TestTextures, HaveOnlyLevelZeroWhereMipLevelsAreAsked)

@@ -55,10 +55,18 @@ void expect_points_by_hand(Json const& report, Json const& verdict)
     EXPECT_NEAR(graded, verdict.at("by_hand").get<double>(), 0.5);
 }
 
+void expect_remarks(Json const& report, Json const& remarks)
+{
+    Json found = Json::array();
+    for (auto const& remark : report.value("remarks", Json::array()))
+        found.push_back(remark.at("id"));
+    EXPECT_EQ(found, remarks) << report.value("remarks", Json::array()).dump(2);
+}
+
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
-    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake"};
+    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake", "remarks"};
     for (auto const& [key, value] : verdict.items())
         EXPECT_TRUE(keys.count(key) > 0) << key;
     for (char const* key : {"loses", "says", "mistake"}) {
@@ -89,6 +97,7 @@ TEST_P(Corpus, IsGradedAsItsFirstLineSays)
         expect_printing_is_noted(graded.report.at("functions").at(name.get<std::string>()));
     expect_points_by_hand(graded.report, verdict);
     expect_policy(graded.report, verdict.value("policy", Json::array()));
+    expect_remarks(graded.report, verdict.value("remarks", Json::array()));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n"
                   << function_table_of(graded.report);

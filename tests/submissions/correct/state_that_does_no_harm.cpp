@@ -16,7 +16,7 @@ struct Tables
 };
 Tables const tables;
 thread_local int calls = 0;
-std::map<std::pair<int, int>, int> remainders;
+thread_local std::map<std::pair<int, int>, int> remainders;
 }  // namespace
 
 int ImageTexture::wrap_repeat(int val, int size)
