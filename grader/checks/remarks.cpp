@@ -174,7 +174,7 @@ constexpr std::pair<std::uint32_t, Wrap> modes[] = {{trilinear, Wrap::repeat}, {
 using Threads = std::vector<std::uint32_t>;
 
 /// With one thread second, so that the several begin with nothing computed yet.
-Threads const raced{several, 1, several, several};
+Threads const raced{several, 1, several, several, several, several};
 Threads const not_raced{1, 1};
 constexpr std::uint32_t single = 1;  ///< index of the rendering with one thread, in both
 
@@ -215,6 +215,12 @@ bool all_same(Answers const& answers)
     return true;
 }
 
+bool writes_variables(Function function, Observations const& again)
+{
+    Answers const* const answers = find(again, again_name(function));
+    return answers != nullptr && answers->status.wrote != 0;
+}
+
 bool may_race(Answers const* answers)
 {
     if (answers == nullptr || answers->status.ended == Ended::lost || answers->status.ended == Ended::not_loaded)
@@ -232,14 +238,14 @@ bool same_singles(Answers const& answers, Answers const& once)
 }
 
 /// Whether with one thread all goes well, whatever came before and whatever memory holds.
-bool is_steady_alone(Observations const& again, Observations const& differences)
+bool is_steady_alone(Observations const& differences)
 {
     Answers const* const once = find(differences, once_name);
     Answers const* const filled = find(differences, once_filled_name);
     for (auto const* answers : {once, filled})
         if (answers == nullptr || answers->status.ended != Ended::answered || !all_same(*answers))
             return false;
-    Answers const* const threads = find(again, threads_name);
+    Answers const* const threads = find(differences, threads_name);
     return same_singles(*filled, *once) && (threads->status.ended != Ended::answered || same_singles(*threads, *once));
 }
 
@@ -250,6 +256,23 @@ std::vector<Function> racing_alone(Observations const& differences)
         if (may_race(find(differences, alone_name(f))))
             found.push_back(f);
     return found;
+}
+
+/// Nothing where no variables are written, because then there is nothing to race for.
+void ask_about_races(Request& request, std::vector<Asked> const& all, Observations const& again)
+{
+    std::size_t const before = request.groups.size();
+    for (auto const& asked : all)
+        if (writes_variables(asked.function, again))
+            request.groups.push_back(
+                rendering_group(alone_name(asked.function), FunctionSet::only(asked.function), raced));
+    if (request.groups.size() == before)
+        return;
+    request.groups.push_back(rendering_group(threads_name, set_of(all), raced));
+    for (auto const& [name, fill] : {std::pair(once_name, usual_fill), {once_filled_name, other_fill}}) {
+        request.groups.push_back(rendering_group(name, set_of(all), not_raced));
+        request.groups.back().fill = fill;
+    }
 }
 
 // --- Words -----------------------------------------------------------------------------------------------------------
@@ -304,7 +327,6 @@ void ask_again(Request& request, Observations const& units, std::vector<TextureD
     request.textures = textures;
     for (auto const& asked : all)
         request.groups.push_back(reversed(asked));
-    request.groups.push_back(rendering_group(threads_name, set_of(all), raced));
 }
 
 void ask_about_differences(Request& request, Observations const& units, Observations const& again,
@@ -316,15 +338,7 @@ void ask_about_differences(Request& request, Observations const& units, Observat
         if (differs_when_reversed(asked, again))
             for (auto const* check : asked.checks)
                 request.groups.push_back(filled_otherwise(*check));
-    if (may_race(find(again, threads_name))) {
-        for (auto const& [name, fill] : {std::pair(once_name, usual_fill), {once_filled_name, other_fill}}) {
-            request.groups.push_back(rendering_group(name, set_of(all), not_raced));
-            request.groups.back().fill = fill;
-        }
-        for (auto const& asked : all)
-            request.groups.push_back(
-                rendering_group(alone_name(asked.function), FunctionSet::only(asked.function), raced));
-    }
+    ask_about_races(request, all, again);
     if (request.groups.size() > before)
         request.textures = textures;
 }
@@ -345,7 +359,7 @@ std::vector<Remark> find_remarks(Observations const& units, Observations const& 
     }
     // What differs anyway says nothing about threads.
     bool const steady = calls.functions.empty() && runs.functions.empty();
-    bool const is_race = steady && may_race(find(again, threads_name)) && is_steady_alone(again, differences);
+    bool const is_race = steady && may_race(find(differences, threads_name)) && is_steady_alone(differences);
     if (is_race)
         race.functions = racing_alone(differences);
     std::vector<Remark> remarks;

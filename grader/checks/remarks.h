@@ -8,11 +8,12 @@ namespace testat {
 /// What the memory of a unit check holds that nobody has written to: 3.0039 as float, a large int, no valid pointer.
 constexpr std::uint32_t usual_fill = 0x40;
 
-/// Adds to a request: the questions of each function of `units` in reverse order, twice over, with another fill; and
-/// small renderings with several threads and with one. `textures`: those that `units` were asked with.
+/// Adds to a request the questions of each function of `units` in reverse order, twice over, with another fill.
+/// `textures`: those that `units` were asked with.
 void ask_again(Request& request, Observations const& units, std::vector<TextureData> const& textures);
 
-/// Adds to a request what would tell apart the reasons why answers to ask_again differ; nothing if none do.
+/// Adds to a request what would tell apart the reasons why answers to ask_again differ, if they do; and, if they have
+/// changed static or global variables, small renderings with several threads and with one.
 void ask_about_differences(Request& request, Observations const& units, Observations const& again,
                            std::vector<TextureData> const& textures);
 

@@ -3,6 +3,7 @@
 #include "probe/answer.h"
 #include "probe/memory.h"
 #include "probe/slots.h"
+#include "probe/variables.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -66,26 +67,28 @@ std::string reference_for(FunctionSet from_upload, std::string const& directory)
     return directory + "/all.so";
 }
 
-void load(ChildTask const& task)
+/// The upload as dlopen gives it.
+void* load(ChildTask const& task)
 {
     FunctionSet const wanted = task.group.from_upload;
     if (wanted != FunctionSet::all())
         fill_slots(load_library(reference_for(wanted, task.libraries.references)),
                    FunctionSet(FunctionSet::all().bits() & ~wanted.bits()));
-    fill_slots(load_library(task.libraries.upload), wanted);
+    void* const upload = load_library(task.libraries.upload);
+    fill_slots(upload, wanted);
+    return upload;
 }
 
-/// True if the libraries are in place.
-bool try_to_load(ChildTask const& task)
+/// Null if the libraries are not in place.
+void* try_to_load(ChildTask const& task)
 {
     task.board.phase = Phase::loading;
     try {
-        load(task);
-        return true;
+        return load(task);
     } catch (std::exception const& e) {
         note(task.board, e.what());
         task.board.phase = Phase::not_loaded;
-        return false;
+        return nullptr;
     }
 }
 
@@ -109,16 +112,18 @@ void answer_again(ChildTask const& task)
     task.board.kept = heap_in_use() - before;
 }
 
-void answer_all(ChildTask const& task)
+void answer_all(ChildTask const& task, void* upload)
 {
     task.board.phase = Phase::running;
     try {
         double const start = cpu_seconds();
+        Variables const variables(upload);
         prepare_memory(task.group.fill);
         answer_once(task);
         if (task.group.twice)
             answer_again(task);
         task.board.work_s = cpu_seconds() - start;
+        task.board.wrote = variables.have_changed() ? 1 : 0;
         task.board.phase = Phase::done;
     } catch (std::exception const& e) {
         note(task.board, e.what());
@@ -135,8 +140,8 @@ void become_child(ChildTask const& task)
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     set_limits(task.cpu_s);
     redirect(task.output);
-    if (try_to_load(task))
-        answer_all(task);
+    if (void* const upload = try_to_load(task))
+        answer_all(task, upload);
     std::fflush(stdout);
     _exit(0);
 }

@@ -10,9 +10,10 @@ enum class Phase : std::uint32_t { starting, loading, running, threw, not_loaded
 struct Blackboard {
     Phase phase = Phase::starting;
     std::uint32_t answered = 0;
-    double work_s = 0;    ///< CPU time of answering
-    double kept = 0;      ///< bytes on the heap that asking a second time has left behind
-    char text[256] = {};  ///< what() of an exception; empty if it has none
+    std::uint32_t wrote = 0;  ///< 1 if answering has changed static or global variables of the upload
+    double work_s = 0;        ///< CPU time of answering
+    double kept = 0;          ///< bytes on the heap that asking a second time has left behind
+    char text[256] = {};      ///< what() of an exception; empty if it has none
 };
 
 struct ChildTask {

@@ -2,8 +2,6 @@
 
 #include <malloc.h>
 
-#include <array>
-#include <cstdlib>
 #include <cstring>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -12,46 +10,31 @@
 
 namespace testat {
 namespace {
-constexpr std::size_t all_bytes = 256 << 10;
-constexpr std::size_t frame_bytes = 4 << 10;  ///< of a student's function and what it calls
-
-/// Its own frame is what it fills.
-[[gnu::noinline]] void fill_frame(int byte, std::size_t size)
+/// Its own frame is what it fills, and so that of the function called next, but for a few bytes at its upper end.
+template <std::size_t size>
+[[gnu::noinline]] void fill_frame(int byte)
 {
-    void* const below = __builtin_alloca(size);
-    std::memset(below, byte, size);
-    asm volatile("" : : "r"(below) : "memory");  // or the compiler would leave it out
+    unsigned char frame[size];
+    std::memset(frame, byte, size);
+    asm volatile("" : : "r"(frame) : "memory");  // or the compiler would leave it out
 }
 
-/// The small blocks that malloc has at hand from before; it hands those out as they are.
-void fill_free_blocks(int byte)
-{
-    constexpr std::size_t largest = 1032;
-    constexpr std::size_t kept_of_each = 8;
-    for (std::size_t size = 24; size <= largest; size += 16) {
-        std::array<void*, kept_of_each> blocks;
-        for (void*& block : blocks)
-            if ((block = std::malloc(size)) != nullptr)
-                std::memset(block, byte, size);
-        for (void* block : blocks)
-            std::free(block);
-    }
-}
+constexpr std::size_t whole_stack = 256 << 10;
+constexpr std::size_t next_frames = 4 << 10;  ///< of a student's function and what it calls
 }  // namespace
 
 void prepare_memory(std::uint32_t fill)
 {
     if (fill == 0)
         return;
-    fill_frame(int(fill), all_bytes);
+    fill_frame<whole_stack>(int(fill));
     mallopt(M_PERTURB, int(fill ^ 0xff));  // new blocks get the complement
-    fill_free_blocks(int(fill));
 }
 
 void fill_stack(std::uint32_t fill)
 {
     if (fill != 0)
-        fill_frame(int(fill), frame_bytes);
+        fill_frame<next_frames>(int(fill));
 }
 
 double heap_in_use()

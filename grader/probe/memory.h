@@ -3,8 +3,8 @@
 
 /// What a child does to its memory so that reading what was never written, and keeping what is not needed, shows.
 namespace testat {
-/// Gives the unused stack, the free blocks of the heap and all that it grows by the byte `fill`; nothing if it is 0.
-/// Small blocks that are freed later keep what was in them.
+/// Gives the unused stack, and from now on every new block of the heap, the byte `fill`; nothing if it is 0. Blocks
+/// that malloc takes from its cache (GLIBC_TUNABLES=glibc.malloc.tcache_count=0 leaves it none) keep their content.
 void prepare_memory(std::uint32_t fill);
 
 /// Gives the next few kilobytes of the unused stack the byte `fill`; nothing if it is 0. What the caller calls next

@@ -94,6 +94,7 @@ GroupStatus describe(Death const& death, Blackboard const& board, double limit_s
     status.ended = classify(death, board, limit_s);
     status.code = WIFSIGNALED(death.status) ? WTERMSIG(death.status) : WEXITSTATUS(death.status);
     status.answered = board.answered;
+    status.wrote = board.wrote;
     status.cpu_s = death.cpu_s;
     status.work_s = board.work_s;
     status.kept = board.kept;

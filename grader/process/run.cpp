@@ -66,7 +66,8 @@ void place_descriptors(Command const& command, int output)
     close_range(unsigned(high), ~0u, 0);
 }
 
-[[noreturn]] void become(Command const& command, std::vector<char*> const& argv, int output)
+[[noreturn]] void become(Command const& command, std::vector<char*> const& argv, std::vector<char*> const& environment,
+                         int output)
 {
     setsid();
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -77,9 +78,7 @@ void place_descriptors(Command const& command, int output)
         _exit(127);
     place_descriptors(command, output);
     apply_limits(command);
-    static char const* const environment[] = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/",
-                                              "TMPDIR=/tmp", nullptr};
-    execve(argv[0], argv.data(), const_cast<char* const*>(environment));
+    execve(argv[0], argv.data(), environment.data());
     _exit(127);
 }
 
@@ -91,6 +90,16 @@ std::string find_program(std::string const& program)
         if (access((directory + program).c_str(), X_OK) == 0)
             return directory + program;
     return "";
+}
+
+/// As execve wants them, ended by null; they point into `texts`.
+std::vector<char*> pointers(std::vector<std::string>& texts)
+{
+    std::vector<char*> all;
+    for (auto& text : texts)
+        all.push_back(text.data());
+    all.push_back(nullptr);
+    return all;
 }
 
 void keep_output(std::string& kept, char const* data, std::size_t size)
@@ -197,10 +206,13 @@ Finished run(Command const& command)
     std::string const program = find_program(command.argv.at(0));
     if (program.empty())
         throw std::runtime_error("cannot run '" + command.argv[0] + "': it is not installed");
-    std::vector<char*> argv{const_cast<char*>(program.c_str())};
-    for (std::size_t i = 1; i < command.argv.size(); ++i)
-        argv.push_back(const_cast<char*>(command.argv[i].c_str()));
-    argv.push_back(nullptr);
+    std::vector<std::string> arguments = command.argv;
+    arguments[0] = program;
+    std::vector<std::string> variables = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/",
+                                          "TMPDIR=/tmp"};
+    variables.insert(variables.end(), command.variables.begin(), command.variables.end());
+    auto const argv = pointers(arguments);
+    auto const environment = pointers(variables);
 
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
@@ -211,7 +223,7 @@ Finished run(Command const& command)
     if (pid < 0)
         fail("fork for " + program);
     if (pid == 0)
-        become(command, argv, write_end.get());
+        become(command, argv, environment, write_end.get());
     Child child(pid);
     write_end.reset();
 

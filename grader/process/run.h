@@ -15,8 +15,9 @@ struct Command {
     std::vector<std::pair<int, int>> descriptors;  ///< {ours, theirs}; stdin, stdout and stderr are taken care of
     double cpu_s = 0;
     double wall_s = 0;
-    std::size_t address_space = 0;  ///< bytes
-    std::size_t file_size = 0;      ///< bytes
+    std::size_t address_space = 0;            ///< bytes
+    std::size_t file_size = 0;                ///< bytes
+    std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment
 };
 
 /// How it ended. Whether that is somebody's fault is for the caller to say.

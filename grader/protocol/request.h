@@ -63,6 +63,7 @@ struct GroupStatus {
     std::int32_t code = 0;       ///< signal number or exit status
     std::uint32_t answered = 0;  ///< questions finished; the one that failed is this index
     std::uint32_t printed = 0;   ///< bytes written to stdout and stderr, as far as they were kept
+    std::uint32_t wrote = 0;     ///< not 0 if static or global variables of the upload have changed, as the child says
     double cpu_s = 0;            ///< of the child, all of it
     double work_s = 0;           ///< of answering only, as the child says it
     /// Of a group that is asked twice: bytes on the heap that the second time has left behind, as the child says it.

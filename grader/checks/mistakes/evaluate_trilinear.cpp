@@ -153,6 +153,8 @@ Value no_such_level(TextureData const&, glm::dvec2, double)
 
 Value two_levels(TextureData const& texture, glm::dvec2 uv, int finer, double weight)
 {
+    if (finer < 0 || finer >= last_level(texture))
+        return std::nullopt;
     return glm::mix(filter_bilinear(texture, finer, uv), filter_bilinear(texture, finer + 1, uv), weight);
 }
 
@@ -191,6 +193,15 @@ Model not_clamped(Outside below, Outside above)
     });
 }
 
+/// The same from below, but for dudv = 0, which is looked after.
+Model not_clamped_but_without_footprint(Outside below)
+{
+    return lookup_model([=](TextureData const& texture, LookupQuestion const&, glm::dvec2 uv, glm::dvec2 dudv) {
+        double const t = std::log2(larger_side(dudv, level_size(texture, 0)));
+        return std::isfinite(t) && t < 0 ? below(texture, uv, t) : Value(within_levels(texture, uv, t, {}));
+    });
+}
+
 /// As it is, but that S = 2^last asks for the level behind the last one, too.
 Model reads_behind_the_last(Outside above)
 {
@@ -220,9 +231,12 @@ void add_evaluate_trilinear_mistakes(std::vector<Mistake>& mistakes)
     auto const add = [&](char const* id, std::vector<Model> const& models) {
         mistakes.push_back({id, Function::evaluate_trilinear, models});
     };
-    add("trilinear_not_clamped_below",
-        {not_clamped(no_such_level, nullptr), not_clamped(cast_below, nullptr), not_clamped(fraction_below, nullptr),
-         not_clamped(extrapolated_below, nullptr)});
+    std::vector<Model> not_clamped_below;
+    for (Outside const below : {no_such_level, cast_below, fraction_below, extrapolated_below}) {
+        not_clamped_below.push_back(not_clamped(below, nullptr));
+        not_clamped_below.push_back(not_clamped_but_without_footprint(below));
+    }
+    add("trilinear_not_clamped_below", not_clamped_below);
     add("trilinear_not_clamped_above", {not_clamped(nullptr, no_such_level), reads_behind_the_last(no_such_level),
                                         not_clamped(nullptr, extrapolated_above)});
     add("trilinear_not_clamped", {not_clamped(no_such_level, no_such_level), not_clamped(cast_below, no_such_level)});

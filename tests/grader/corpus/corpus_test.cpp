@@ -5,6 +5,12 @@
 
 namespace testat {
 namespace {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 std::vector<Case> all_cases()
 {
     std::vector<Case> cases = cases_in({"correct", "wrong"});
@@ -66,7 +72,8 @@ void expect_remarks(Json const& report, Json const& remarks)
 /// A verdict with a misspelt key would claim nothing.
 void expect_known_names(Json const& verdict, Json const& report)
 {
-    std::set<std::string> const keys{"loses", "says", "policy", "prints", "by_hand", "mistake", "remarks"};
+    std::set<std::string> const keys{"loses",   "says",    "policy",  "prints",
+                                     "by_hand", "mistake", "remarks", "sanitizers"};
     for (auto const& [key, value] : verdict.items())
         EXPECT_TRUE(keys.count(key) > 0) << key;
     for (char const* key : {"loses", "says", "mistake"}) {
@@ -81,6 +88,8 @@ class Corpus : public testing::TestWithParam<Case> {};
 TEST_P(Corpus, IsGradedAsItsFirstLineSays)
 {
     Json const verdict = read_verdict(GetParam().file);
+    if (is_sanitized && !verdict.value("sanitizers", true))
+        GTEST_SKIP();
     TemporaryDirectory const place;
     Graded const graded = grade_file(GetParam().file, place.path(), {"--compiler", GetParam().compiler});
     ASSERT_EQ(graded.exit_code, 0) << graded.out << graded.err;

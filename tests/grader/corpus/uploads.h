@@ -12,6 +12,7 @@
 /// policy: what of the sheet's policies applies; none if it is left out.
 /// prints: functions whose checks must say that they print.
 /// remarks: the ids of exactly the remarks that the report makes; none if it is left out.
+/// sanitizers: false for what shows with the system's own heap and signals only; true if it is left out.
 /// by_hand: what GRADING's table of mistakes leaves of the points before policy, worked out without the grader.
 namespace testat {
 /// An upload and the compiler to grade it with.

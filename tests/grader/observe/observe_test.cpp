@@ -120,6 +120,18 @@ TEST(DecodeAnswers, TakesNoMoreWorkThanTime)
     }
 }
 
+TEST(DecodeAnswers, TakesImpossibleGrowthForNone)
+{
+    for (double wrong : {nan, 1e15, -std::numeric_limits<double>::infinity()}) {
+        GroupStatus status = whole();
+        status.kept = wrong;
+        EXPECT_EQ(decoded(status).kept, 0) << wrong;
+    }
+    GroupStatus status = whole();
+    status.kept = 4096;
+    EXPECT_EQ(decoded(status).kept, 4096);
+}
+
 TEST(DecodeAnswers, KeepsTextsWithoutTerminator)
 {
     GroupStatus status = whole();

@@ -213,6 +213,13 @@ TEST(Run, HasAMinimalEnvironment)
     unsetenv("TESTAT_SECRET");
 }
 
+TEST(Run, AddsVariablesToTheEnvironment)
+{
+    Command command = program({"env"});
+    command.variables = {"TESTAT_A=1", "TESTAT_B=x y"};
+    EXPECT_NE(run(command).output.find("TMPDIR=/tmp\nTESTAT_A=1\nTESTAT_B=x y\n"), std::string::npos);
+}
+
 TEST(Run, CountsCpuTime)
 {
     EXPECT_GT(run(shell("i=0; while [ $i -lt 20000 ]; do i=$((i+1)); done")).cpu_s, 0);

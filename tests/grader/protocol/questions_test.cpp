@@ -23,12 +23,14 @@ TEST(Questions, HaveTheSizeOfTheirStructs)
     EXPECT_EQ(question_bytes(Kind::intersect), sizeof(IntersectQuestion));
     EXPECT_EQ(question_bytes(Kind::tangent_space), sizeof(TangentSpaceQuestion));
     EXPECT_EQ(question_bytes(Kind::picture), sizeof(PictureQuestion));
+    EXPECT_EQ(question_bytes(Kind::rendering), sizeof(RenderingQuestion));
     EXPECT_EQ(question_bytes(Kind::count), 0u);
 }
 
 TEST(Questions, HaveAnswersOfFixedSizeUnlessTheyAskForPictures)
 {
-    for (Kind kind : {Kind::wrap, Kind::lookup, Kind::footprint, Kind::transform, Kind::intersect, Kind::tangent_space})
+    for (Kind kind : {Kind::wrap, Kind::lookup, Kind::footprint, Kind::transform, Kind::intersect, Kind::tangent_space,
+                      Kind::rendering})
         EXPECT_GT(answer_words(kind), 0u);
     EXPECT_EQ(answer_words(Kind::mipmap), 0u);
     EXPECT_EQ(answer_words(Kind::picture), 0u);

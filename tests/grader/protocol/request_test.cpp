@@ -21,6 +21,8 @@ Request example()
     group.from_upload = FunctionSet::only(Function::wrap_repeat);
     group.under_test = Function::wrap_repeat;
     group.culling = false;
+    group.fill = 255;
+    group.twice = true;
     request.groups = {group, make_group(Kind::lookup, std::vector<LookupQuestion>{})};
     return request;
 }
@@ -34,6 +36,8 @@ void expect_equal(Group const& a, Group const& b)
     EXPECT_EQ(a.count, b.count);
     EXPECT_EQ(a.words_per_answer, b.words_per_answer);
     EXPECT_EQ(a.culling, b.culling);
+    EXPECT_EQ(a.fill, b.fill);
+    EXPECT_EQ(a.twice, b.twice);
     EXPECT_EQ(a.questions, b.questions);
 }
 
@@ -95,6 +99,13 @@ TEST(Request, IsRefusedWithAnUnknownKind)
 {
     Request request = example();
     request.groups[1].kind = Kind::count;
+    EXPECT_THROW(parse_request(serialize(request)), std::runtime_error);
+}
+
+TEST(Request, IsRefusedWithAFillThatIsNoByte)
+{
+    Request request = example();
+    request.groups[0].fill = 256;
     EXPECT_THROW(parse_request(serialize(request)), std::runtime_error);
 }
 

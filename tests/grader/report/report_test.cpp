@@ -207,6 +207,27 @@ TEST(MakeReport, ShowsTheSource)
     EXPECT_TRUE(report["functions"]["wrap_repeat"]["source"].is_null());
 }
 
+TEST(MakeReport, HoldsRemarksOnlyIfThereAreAny)
+{
+    CheckResults results = passed_results(example_rubric());
+    EXPECT_FALSE(report_of(results, whole_build()).contains("remarks"));
+    results.remarks = {{"leaks", {Function::wrap_clamp}, {"Wächst.", "Grows."}}, {"races", {}, {"de", "en"}}};
+    Report const report = report_of(results, whole_build());
+    EXPECT_EQ(report["remarks"][0]["id"], "leaks");
+    EXPECT_EQ(report["remarks"][0]["functions"], Report::array({"wrap_clamp"}));
+    EXPECT_EQ(report["remarks"][0]["de"], "Wächst.");
+    EXPECT_TRUE(report["remarks"][1]["functions"].empty());
+    EXPECT_EQ(report["points"]["earned"], 2) << "they change no points";
+    EXPECT_TRUE(is_valid(report));
+}
+
+TEST(ReportSchema, RefusesUnknownRemarks)
+{
+    CheckResults results = passed_results(example_rubric());
+    results.remarks = {{"smells", {}, {"de", "en"}}};
+    EXPECT_FALSE(is_valid(report_of(results, whole_build())));
+}
+
 TEST(MakeReport, SurvivesTextThatIsNotUtf8)
 {
     Build build = whole_build();

@@ -139,6 +139,16 @@ TEST(ReportToText, ShowsPicturesThatDiffer)
     EXPECT_TRUE(holds(report_to_text(report, Language::de), {"clamped", "1234", "wegen wrap_clamp"}));
 }
 
+TEST(ReportToText, ShowsRemarks)
+{
+    CheckResults results = passed_results(example_rubric());
+    results.remarks = {{"leaks", {Function::wrap_clamp}, {"Wächst.", "Grows."}}, {"races", {}, {"Wirr.", "Muddled."}}};
+    Report const report = report_of(example_rubric(), results, whole_build());
+    EXPECT_TRUE(holds(report_to_text(report, Language::en),
+                      {"Remarks (they change no points)", "  wrap_clamp: Grows.", "  Muddled."}));
+    EXPECT_TRUE(holds(report_to_text(report, Language::de), {"Anmerkungen", "  wrap_clamp: Wächst.", "  Wirr."}));
+}
+
 TEST(ReportToText, SaysWhyNothingWasGraded)
 {
     Report const report = make_not_gradable({"a.cpp", "", std::string(64, '0'), {}}, {}, "the disk is full");

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_averages_two_texels"}}
 // The average of two neighbours along x only.
 void ImageTexture::create_mipmap()
 {

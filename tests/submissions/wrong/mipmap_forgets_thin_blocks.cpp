@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1, 1]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [1, 1]}, "says": {"create_mipmap": "partial"}, "policy": [], "mistake": {"create_mipmap": "mipmap_divides_two_by_four"}}
 // Where one side is 1 already, there are two texels in a block, but their sum is divided by four.
 void ImageTexture::create_mipmap()
 

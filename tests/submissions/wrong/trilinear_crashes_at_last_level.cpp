@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_trilinear": [0.5, 0.5]}, "says": {"evaluate_trilinear": "crashed"}, "policy": []}
+// verdict: {"loses": {"evaluate_trilinear": [0.5, 0.5]}, "says": {"evaluate_trilinear": "crashed"}, "policy": [], "mistake": {"evaluate_trilinear": "trilinear_crashes_at_last_level"}}
 // S = 2^last asks for the level behind the last one.
 glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_trilinear": [0.5, 0.5]}, "says": {"evaluate_trilinear": "partial"}, "policy": []}
+// verdict: {"loses": {"evaluate_trilinear": [2, 2]}, "says": {"evaluate_trilinear": "wrong"}, "policy": [], "remarks": ["depends_on_earlier_calls"]}
 // State between calls: the size of the first texture for all of them.
 glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const& dudv) const
 

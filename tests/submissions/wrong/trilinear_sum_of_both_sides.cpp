@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_trilinear": [2, 2]}, "says": {"evaluate_trilinear": "wrong"}, "policy": []}
+// verdict: {"loses": {"evaluate_trilinear": [2, 2]}, "says": {"evaluate_trilinear": "wrong"}, "policy": [], "mistake": {"evaluate_trilinear": "trilinear_adds_the_sides"}}
 // The sum of both sides instead of the larger one.
 glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const& dudv) const
 {

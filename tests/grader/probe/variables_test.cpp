@@ -1,0 +1,26 @@
+#include "probe/variables.h"
+
+#include <dlfcn.h>
+
+#include <gtest/gtest.h>
+
+namespace testat {
+namespace {
+int volatile counter = 0;
+}
+
+TEST(Variables, HaveChangedOnceOneIsWritten)
+{
+    void* const program = dlopen(nullptr, RTLD_NOW);
+    Variables const variables(program);
+    bool const before = variables.have_changed();
+    counter = counter + 1;
+    bool const after = variables.have_changed();
+    counter = counter - 1;
+    bool const restored = variables.have_changed();
+    EXPECT_FALSE(before);
+    EXPECT_TRUE(after);
+    EXPECT_FALSE(restored);
+    dlclose(program);
+}
+}  // namespace testat
