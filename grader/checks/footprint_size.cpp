@@ -26,19 +26,20 @@ Place corner(FootprintQuestion const& q, int i)
     glm::dvec3 const direction = glm::normalize(dvec3(q.direction[i]));
     glm::dvec3 const position = dvec3(q.position);
     glm::dvec3 const normal = dvec3(q.normal);
-    Place missed{position, 4 * eps * glm::length(position), true};
+    double const lengths = glm::length(position) + glm::length(dvec3(q.shape.center));
+    Place missed{position, 4 * eps * lengths, true};
     if (direction * normal == glm::dvec3(0))  // parallel in every arithmetic
         return missed;
     double const slope = glm::dot(direction, normal);
     double const height = glm::dot(position - origin, normal);
     double const t = height / slope;
-    double const lengths = glm::length(origin) + glm::length(position) + glm::length(dvec3(q.shape.center));
     bool const level = (position - origin) * normal == glm::dvec3(0);
-    bool const decided = std::abs(slope) > 8 * eps && (level || std::abs(height) > 8 * eps * lengths);
+    bool const decided =
+        std::abs(slope) > 8 * eps && (level || std::abs(height) > 8 * eps * (glm::length(origin) + lengths));
     missed.decided = decided;
     if (!(t > 0))
         return missed;
-    double const error = 8 * eps * (lengths + t) * (1 + 1 / (std::abs(slope) - 8 * eps));
+    double const error = 8 * eps * (glm::length(origin) + lengths + t) * (1 + 1 / (std::abs(slope) - 8 * eps));
     return {origin + t * direction, error, false, decided};
 }
 

@@ -274,7 +274,7 @@ enum class Judged { hit, distance, place, all };
 Deviation part_deviation(Judged what, Answers const& answers, std::uint32_t i, Words words)
 {
     WorldHit const right = meet_in_world(question<IntersectQuestion>(answers.group, i));
-    Deviation const hit = compare_hit(answers, i, right.hit);
+    Deviation hit = compare_hit(answers, i, right.hit);
     if (right.hit != Certainty::no && !right.is_decided())
         return undecided(answers, i, right.hit);
     if (right.hit == Certainty::no || what == Judged::hit || !(hit.in_bounds <= 1))

@@ -31,13 +31,4 @@ glm::dvec3 random_scale(Random& random)
     glm::dvec3 const exponents = random_vector(random, 2);
     return glm::exp2(exponents);
 }
-
-double condition(glm::dmat4 const& matrix)
-{
-    auto const norm = [](glm::dmat3 const& m) {
-        return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-    };
-    glm::dmat3 const linear(matrix);
-    return norm(linear) * norm(glm::inverse(linear));
-}
 }  // namespace testat

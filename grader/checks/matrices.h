@@ -14,8 +14,4 @@ glm::dvec3 random_vector(Random& random, double extent);
 
 /// Factors in [1/4, 4), each axis its own.
 glm::dvec3 random_scale(Random& random);
-
-/// The product of the largest and the inverse of the smallest factor by which the linear part stretches (Frobenius
-/// norms, so an upper bound).
-double condition(glm::dmat4 const& matrix);
 }  // namespace testat

@@ -1,11 +1,14 @@
 #include "stress/stress.h"
 
 #include "observe/observe.h"
+#include "progress.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 namespace testat {
 namespace {
@@ -184,30 +187,49 @@ std::vector<Series> make_series(Build const& build, StressOptions const& options
     return all;
 }
 
-/// The first block of a series tells whether the function hangs; then the others are left out.
-void run_jobs(std::vector<Job> const& jobs, Build const& build, StressOptions const& options, Installation const& where)
+Tally ask_block(Job const& job, Build const& build, StressOptions const& options, Installation const& where)
 {
-    tbb::parallel_for_each(jobs, [&](Job const& job) {
-        Series& series = *job.series;
-        std::uint32_t const questions = series.questions_in(job.block);
-        Oracle const oracle = series.inside ? series.subject->oracle : nullptr;
-        auto const index = static_cast<std::uint32_t>(job.block);
-        series.tallies[job.block] =
-            job.block > 0 && series.hangs()
-                ? left_out(questions)
-                : Asking(build, where, oracle)
-                      .ask(stress_block(*series.subject, series.inside, index, questions, options.seed));
-    });
+    Series const& series = *job.series;
+    std::uint32_t const questions = series.questions_in(job.block);
+    if (job.block > 0 && series.hangs())
+        return left_out(questions);
+    Oracle const oracle = series.inside ? series.subject->oracle : nullptr;
+    auto const index = static_cast<std::uint32_t>(job.block);
+    return Asking(build, where, oracle)
+        .ask(stress_block(*series.subject, series.inside, index, questions, options.seed));
 }
 
+/// Says when all blocks of a series are done, from any thread.
+class SeriesProgress {
+public:
+    explicit SeriesProgress(std::size_t series) : progress_("Stress", series) {}
+
+    void block_is_done(Series const& series)
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (++done_[&series] == series.tallies.size())
+            progress_.step(std::string(info(series.subject->function).name) + (series.inside ? "" : " (outside)"));
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<Series const*, std::size_t> done_;
+    Progress progress_;
+};
+
+/// The first block of a series tells whether the function hangs; then the others are left out.
 void run(std::vector<Series>& all, Build const& build, StressOptions const& options, Installation const& where)
 {
     std::vector<Job> first, rest;
     for (auto& series : all)
         for (std::size_t block = 0; block < series.tallies.size(); ++block)
             (block == 0 ? first : rest).push_back({&series, block});
-    run_jobs(first, build, options, where);
-    run_jobs(rest, build, options, where);
+    SeriesProgress progress(all.size());
+    for (auto const& jobs : {first, rest})
+        tbb::parallel_for_each(jobs, [&](Job const& job) {
+            job.series->tallies[job.block] = ask_block(job, build, options, where);
+            progress.block_is_done(*job.series);
+        });
 }
 
 /// The smallest error that `share` of all are not above. Sorted; not empty.

@@ -142,7 +142,7 @@ private:
             add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">10<tspan dy="-5" font-size="10">{}</tspan></text>)",
                 x, text_y, fmt::format("{}{}", decade < 0 ? "−" : "", std::abs(decade)));
         }
-        label(x_of(0), text_y, "middle", say(exact));
+        label(left + 4, text_y, "start", say(exact));
         label(x_of(HUGE_VAL), text_y, "middle", "∞");
     }
 

@@ -89,7 +89,7 @@ Tally tally_answers(Answers const& answers, std::uint32_t answered, Textures con
         if (oracle != nullptr)
             judge(i, oracle(answers, i, textures, Words::for_mistakes), tally, worst_index);
     }
-    if (tally.worst_error >= 0) {
+    if (oracle != nullptr && tally.worst_error >= 0) {
         Deviation const worst = oracle(answers, worst_index, textures, Words::always);
         tally.worst = Mismatch{describe_question(answers.group, worst_index, textures), worst.measured, worst.expected};
     }

@@ -30,23 +30,4 @@ TEST(RandomScale, IsNeitherTinyNorHuge)
         ASSERT_TRUE(glm::all(glm::lessThan(s, glm::dvec3(4))));
     }
 }
-
-TEST(Condition, IsThreeForEveryRotation)
-{
-    Random random(1, "condition");
-    for (int i = 0; i < 100; ++i)
-        ASSERT_NEAR(condition(random_rotation(random)), 3, 1e-12);
-}
-
-TEST(Condition, GrowsWithTheScalesRatio)
-{
-    glm::dmat4 const m = glm::scale(glm::dmat4(1), glm::dvec3(1, 1, 100));
-    EXPECT_GT(condition(m), 100);
-    EXPECT_LT(condition(m), 200);
-}
-
-TEST(Condition, IgnoresTranslations)
-{
-    EXPECT_NEAR(condition(glm::translate(glm::dmat4(1), glm::dvec3(1e6))), 3, 1e-12);
-}
 }  // namespace testat
