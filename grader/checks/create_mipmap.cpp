@@ -90,9 +90,6 @@ Group ask_means(Random& random, Textures const& textures)
     return ask(asked)(random, textures);
 }
 
-/// Mistakes are linear, too, but some round to bytes at each level, and no table knows levels as well as that.
-constexpr double bytes = 0.02;
-
 /// The mean's levels against the mean of the levels, texel by texel. Some add up every texel there is: as many
 /// roundings.
 Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels const& both)
@@ -100,7 +97,7 @@ Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels co
     double const roundings = double(both.texels.size());
     for (std::size_t i = 0; i < both.texels.size(); ++i) {
         double const mean = (double(one.texels[i]) + two.texels[i]) / 2;
-        double const bound = bytes + roundings * eps * std::abs(mean);
+        double const bound = roundings * eps * std::abs(mean);
         if (std::isfinite(mean) && std::abs(both.texels[i] - mean) <= bound)
             continue;  // most are right: no words for them
         Deviation d = compare({both.texels[i]}, {mean}, {bound});

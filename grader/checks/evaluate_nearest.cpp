@@ -61,9 +61,9 @@ Group ask_negative(Random& random, Textures const& textures)
         questions.push_back(ask_texel(random, texture, 0, size, place, lower_half));
     }
     // And the corners of the unit square, where the texel before and the one behind are both right.
-    for (int corner = 0; corner < 4; ++corner)
-        questions.push_back(
-            {static_cast<std::uint32_t>(TestTexture::coded_wide), 0, {float(corner % 2), float(corner / 2)}, {}});
+    for (float const u : {0.f, 1.f})
+        for (float const v : {0.f, 1.f})
+            questions.push_back({static_cast<std::uint32_t>(TestTexture::coded_wide), 0, {u, v}, {}});
     return make_group(Kind::lookup, questions);
 }
 

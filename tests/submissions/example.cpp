@@ -1,4 +1,4 @@
-// verdict: {"loses": {"wrap_repeat": [0.5, 0.5], "evaluate_bilinear": [2, 2], "transform_position": [1, 1]}, "says": {"wrap_repeat": "partial", "evaluate_bilinear": "partial", "transform_position": "wrong"}, "policy": []}
+// verdict: {"loses": {"wrap_repeat": [0.5, 0.5], "evaluate_bilinear": [2, 2], "transform_position": [1, 1]}, "says": {"wrap_repeat": "partial", "evaluate_bilinear": "partial", "transform_position": "wrong"}, "policy": [], "mistake": {"wrap_repeat": "repeat_abs", "evaluate_bilinear": "bilinear_without_shift", "transform_position": "position_normalised"}}
 // Computergrafik, Übung 3: Texturen und Transformationen
 // Abgabe von Gruppe 17
 

@@ -177,6 +177,8 @@ Value extrapolated_below(TextureData const& texture, glm::dvec2 uv, double t)
 Value extrapolated_above(TextureData const& texture, glm::dvec2 uv, double t)
 {
     int const finer = last_level(texture) - 1;
+    if (finer < 0)
+        return filter_bilinear(texture, 0, uv);
     return two_levels(texture, uv, finer, t - finer);
 }
 

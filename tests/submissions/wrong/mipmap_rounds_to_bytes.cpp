@@ -1,4 +1,4 @@
-// verdict: {"loses": {"create_mipmap": [1.5, 1.5]}, "says": {"create_mipmap": "partial"}, "policy": []}
+// verdict: {"loses": {"create_mipmap": [2, 2]}, "says": {"create_mipmap": "wrong"}, "policy": []}
 // Averages bytes, as in a picture file: off by up to half of 1/255 each level.
 void ImageTexture::create_mipmap()
 {

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [0.25, 0.25]}, "says": {"evaluate_nearest": "crashed"}, "policy": []}
+// verdict: {"loses": {"evaluate_nearest": [0.5, 0.5]}, "says": {"evaluate_nearest": "crashed"}, "policy": []}
 // An exception for (u, v) = (1, 1) only: at() where wrapping is needed.
 #include <vector>
 
