@@ -90,8 +90,8 @@ Group ask_means(Random& random, Textures const& textures)
     return ask(asked)(random, textures);
 }
 
-/// The mean's levels against the mean of the levels, texel by texel. Some add up every texel there is: as many
-/// roundings.
+/// The mean's levels against the mean of the levels, texel by texel. Mistakes are linear, too, and some add up every
+/// texel there is: as many roundings.
 Deviation compare_means(MipLevels const& one, MipLevels const& two, MipLevels const& both)
 {
     double const roundings = double(both.texels.size());
