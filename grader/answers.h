@@ -42,4 +42,12 @@ inline std::int32_t integer(Answers const& answers, std::uint32_t index, std::si
 {
     return static_cast<std::int32_t>(answers.words[std::size_t(index) * answers.group.words_per_answer + word]);
 }
+
+/// Whether two answers have the same words, as many as the first one has.
+inline bool same_words(Answers const& a, std::uint32_t index_a, Answers const& b, std::uint32_t index_b)
+{
+    auto const* begin_a = &a.words[std::size_t(index_a) * a.group.words_per_answer];
+    auto const* begin_b = &b.words[std::size_t(index_b) * b.group.words_per_answer];
+    return std::equal(begin_a, begin_a + a.group.words_per_answer, begin_b);
+}
 }  // namespace testat

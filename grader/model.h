@@ -2,6 +2,7 @@
 #include "functions.h"
 #include "protocol/request.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -68,6 +69,13 @@ struct Answers {
 struct Observations {
     std::map<std::string, Answers> groups;
     double ms = 0;
+
+    /// Null if that group was not asked.
+    Answers const* find(std::string const& name) const
+    {
+        auto const found = groups.find(name);
+        return found == groups.end() ? nullptr : &found->second;
+    }
 };
 
 /// Failure of a check in the words of a report.
@@ -152,6 +160,13 @@ struct CheckResults {
     std::map<Function, std::string> mistakes;  ///< id of the one mistake that explains what a function answers
     std::vector<PictureResult> pictures;
     std::vector<Remark> remarks;
+
+    /// Whether no unit check of the function has failed.
+    bool all_pass(Function function) const
+    {
+        return std::all_of(checks.begin(), checks.end(),
+                           [&](auto const& check) { return check.function != function || check.passed; });
+    }
 };
 
 enum class FunctionVerdict { correct, partial, wrong, missing, crashed, timed_out };

@@ -66,10 +66,8 @@ FunctionSet all_without(std::vector<Function> const& functions)
 bool is_right(PictureResult const& result, std::string const& from_upload, Observations const& observations,
               Envelope const& envelope)
 {
-    auto const found = observations.groups.find(group_name(result.name, from_upload));
-    if (found == observations.groups.end())
-        return false;
-    auto const picture = read_picture(found->second);
+    auto const* answers = observations.find(group_name(result.name, from_upload));
+    auto const picture = answers == nullptr ? std::nullopt : read_picture(*answers);
     return picture && compare_picture(result.name, *picture, envelope).score == 1;
 }
 

@@ -9,12 +9,6 @@ namespace testat {
 namespace {
 constexpr char check_without_transforms[] = "Intersect.TransformsOff";
 
-bool all_pass(CheckResults const& results, Function function)
-{
-    return std::all_of(results.checks.begin(), results.checks.end(),
-                       [&](auto const& check) { return check.function != function || check.passed; });
-}
-
 bool passes(CheckResults const& results, std::string const& name)
 {
     return std::any_of(results.checks.begin(), results.checks.end(),
@@ -28,7 +22,7 @@ bool may_cull(CheckResults const& results, FunctionSet from_upload, std::string 
     if (!is_transformed(picture))
         return !from_upload.has(Function::intersect) || passes(results, check_without_transforms);
     for (Function f : {Function::transform_direction, Function::transform_position, Function::intersect})
-        if (from_upload.has(f) && !all_pass(results, f))
+        if (from_upload.has(f) && !results.all_pass(f))
             return false;
     return true;
 }
@@ -54,7 +48,7 @@ bool is_right(std::optional<Rendering> const& rendering)
 
 bool must_be_isolated(PictureResult const& picture, CheckResults const& results, Function function)
 {
-    return !is_right(picture.submitted) || !all_pass(results, function);
+    return !is_right(picture.submitted) || !results.all_pass(function);
 }
 
 Group isolated_group(CheckResults const& results, std::string const& picture, Function function)
@@ -104,8 +98,8 @@ void judge_submitted(CheckResults& results, Rubric const& rubric, Build const& b
         std::string const group = "submitted/" + name;
         if (build.ok)
             result.submitted = judge_rendering(name, group, observations, envelope);
-        auto const found = observations.groups.find(group);
-        result.ms = found == observations.groups.end() ? 0 : 1e3 * found->second.status.work_s;
+        auto const* answers = observations.find(group);
+        result.ms = answers == nullptr ? 0 : 1e3 * answers->status.work_s;
         results.pictures.push_back(std::move(result));
     }
 }

@@ -76,10 +76,9 @@ Rendering judge_rendering(std::string const& picture, std::string const& group, 
                           Envelope const& envelope)
 {
     Rendering rendering;
-    auto const found = observations.groups.find(group);
-    if (found != observations.groups.end()) {
-        rendering.ended = found->second.status.ended;
-        rendering.picture = read_picture(found->second);
+    if (auto const* answers = observations.find(group)) {
+        rendering.ended = answers->status.ended;
+        rendering.picture = read_picture(*answers);
     }
     rendering.comparison = compare_picture(picture, rendering.picture.value_or(Picture{}), envelope);
     return rendering;

@@ -7,6 +7,8 @@
 namespace testat {
 /// What the memory of a unit check holds that nobody has written to: 3.0039 as float, a large int, no valid pointer.
 constexpr std::uint32_t usual_fill = 0x40;
+/// Another one: -24.22 as float, a negative int, no valid pointer.
+constexpr std::uint32_t other_fill = 0xc1;
 
 /// Adds to a request the questions of each function of `units` in reverse order, twice over, with another fill.
 /// `textures`: those that `units` were asked with.

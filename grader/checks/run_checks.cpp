@@ -27,11 +27,10 @@ public:
         CheckResult result;
         result.name = check_.name;
         result.function = check_.function;
-        auto const found = observations_.groups.find(check_.name);
-        if (found == observations_.groups.end())
-            not_asked(result);
+        if (auto const* answers = observations_.find(check_.name))
+            judge(*answers, result);
         else
-            judge(found->second, result);
+            not_asked(result);
         EXPECT_TRUE(result.passed) << result.detail;
         results_.push_back(std::move(result));
     }

@@ -1,5 +1,7 @@
 #include "report/text.h"
 
+#include "report/printer.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,11 +11,6 @@ namespace testat {
 namespace {
 constexpr std::size_t columns = 80;
 constexpr std::size_t label_columns = 12;
-
-struct Term {
-    char const* de;
-    char const* en;
-};
 
 constexpr Term of{"von", "of"};
 constexpr Term points_term{"Punkten", "points"};
@@ -36,8 +33,6 @@ constexpr Term differs{"weicht ab wegen", "differs because of"};
 constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
 constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
 constexpr Term not_gradable{"NICHT BEWERTBAR (kein Fehler der Abgabe)", "NOT GRADABLE (not the upload's fault)"};
-constexpr Term does_not_build{"Die Datei lässt sich nicht übersetzen oder binden:",
-                              "The file does not compile or link:"};
 constexpr Term broken_functions{
     "Die Datei lässt sich nicht übersetzen oder binden. Der erste Fehler jeder betroffenen Funktion:",
     "The file does not compile or link. The first error of each function that is to blame:"};
@@ -65,16 +60,11 @@ Term verdict_term(std::string const& verdict)
     return found == std::end(terms) ? Term{"?", "?"} : found->second;
 }
 
-std::string text(Report const& value)
-{
-    return value.get<std::string>();
-}
-
 std::string join(Report const& names)
 {
     std::string all;
     for (auto const& name : names)
-        all += (all.empty() ? "" : ", ") + text(name);
+        all += (all.empty() ? "" : ", ") + name.get<std::string>();
     return all;
 }
 
@@ -101,9 +91,9 @@ std::string wrap(std::string const& words, std::size_t indent)
     return result;
 }
 
-class Printer {
+class ReportPrinter : Printer {
 public:
-    Printer(Report const& report, Language language) : report_(report), german_(language == Language::de) {}
+    ReportPrinter(Report const& report, Language language) : Printer(language), report_(report) {}
 
     std::string print()
     {
@@ -119,15 +109,6 @@ public:
     }
 
 private:
-    char const* say(Term term) const { return german_ ? term.de : term.en; }
-    std::string phrase(Report const& value) const { return text(value.at(german_ ? "de" : "en")); }
-
-    template <typename... Arguments>
-    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments)
-    {
-        out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
-    }
-
     void labelled(Term label, std::string const& words)
     {
         std::string const padding(label_columns - 2 - width(say(label)), ' ');
@@ -177,10 +158,9 @@ private:
             return;
         if (has_unofficial())
             return broken_list();
-        constexpr std::size_t shown = 3;
         line("\n{}", say(does_not_build));
         auto const& all = build.at("diagnostics");
-        for (std::size_t i = 0; i < std::min(shown, all.size()); ++i)
+        for (std::size_t i = 0; i < std::min(shown_diagnostics, all.size()); ++i)
             line("  {}", wrap(diagnostic(all[i]), 4));
         if (report_.at("policy").at("earned_without") == 0)
             line("{}", say(nothing_alone));
@@ -196,15 +176,6 @@ private:
             line("  {}", wrap(fmt::format("{}: {}", place, text(error.at("message"))), 4));
         }
         line("\n{}", wrap(say(unofficial_table), 0));
-    }
-
-    static std::string diagnostic(Report const& d)
-    {
-        std::string place = text(d.at("file"));
-        if (int const number = d.at("line").get<int>(); number > 0)
-            place += fmt::format(":{}", number);
-        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", text(d.at("severity")),
-                           text(d.at("message")));
     }
 
     void points_line(std::string const& left, double earned, Report const& max)
@@ -337,13 +308,11 @@ private:
     }
 
     Report const& report_;
-    bool german_;
-    std::string out_;
 };
 }  // namespace
 
 std::string report_to_text(Report const& report, Language language)
 {
-    return Printer(report, language).print();
+    return ReportPrinter(report, language).print();
 }
 }  // namespace testat

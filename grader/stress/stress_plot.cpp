@@ -1,3 +1,4 @@
+#include "report/printer.h"
 #include "stress/stress_report.h"
 #include "text.h"
 
@@ -8,11 +9,6 @@
 
 namespace testat {
 namespace {
-struct Term {
-    char const* de;
-    char const* en;
-};
-
 constexpr Term title{"Numerischer Stress: Fehler in Einheiten der erlaubten Schranke",
                      "Numerical stress: error in units of the allowed bound"};
 constexpr Term exact{"exakt", "exact"};
@@ -92,14 +88,14 @@ std::string escaped(std::string const& text)
 
 class Plot {
 public:
-    explicit Plot(Language language) : german_(language == Language::de) {}
+    explicit Plot(Language language) : language_(language) {}
 
     std::string draw(std::vector<FunctionStress> const& results, std::string const& file)
     {
         bottom_ = top + row_height * static_cast<int>(results.size());
         int const height = bottom_ + 84;
         add(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" lang="{2}" role="img" font-family="DejaVu Sans, Helvetica, Arial, sans-serif" font-size="14" fill="#222">)",
-            width, height, german_ ? "de" : "en");
+            width, height, say({"de", "en"}));
         add("<title>{}</title>", say(title));
         add(R"(<rect width="{}" height="{}" fill="#fff"/>)", width, height);
         label(20, 30, "start", say(title), R"( font-size="18" font-weight="bold")");
@@ -114,7 +110,7 @@ public:
     }
 
 private:
-    char const* say(Term term) const { return german_ ? term.de : term.en; }
+    char const* say(Term term) const { return testat::say(term, language_); }
 
     template <typename... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments)
@@ -210,7 +206,7 @@ private:
         label(652, y, "start", say(wrong_term));
     }
 
-    bool german_;
+    Language language_;
     int bottom_ = 0;
     std::string out_;
 };

@@ -1,14 +1,12 @@
+#include "report/printer.h"
 #include "stress/stress_report.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace testat {
 namespace {
-struct Term {
-    char const* de;
-    char const* en;
-};
-
 constexpr Term heading{"Fehler in Einheiten der erlaubten Schranke (bis 1 ist richtig)",
                        "Error in units of the allowed bound (up to 1 is right)"};
 constexpr Term function_term{"Funktion", "function"};
@@ -32,12 +30,10 @@ constexpr Term worst_inputs{"Schlechteste Eingaben", "Worst inputs"};
 constexpr Term input{"Eingabe ", "input   "};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
-constexpr Term does_not_build{"Die Datei lässt sich nicht übersetzen oder binden:",
-                              "The file does not compile or link:"};
 
-class Printer {
+class StressPrinter : Printer {
 public:
-    Printer(Report const& document, Language language) : document_(document), german_(language == Language::de) {}
+    StressPrinter(Report const& document, Language language) : Printer(language), document_(document) {}
 
     std::string print()
     {
@@ -52,26 +48,14 @@ public:
     }
 
 private:
-    char const* say(Term term) const { return german_ ? term.de : term.en; }
-    static std::string text(Report const& value) { return value.get<std::string>(); }
-
-    template <typename... Arguments>
-    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments)
-    {
-        out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
-    }
-
     void diagnostics()
     {
         if (document_.at("build").at("ok").get<bool>())
             return;
         line("{}", say(does_not_build));
-        constexpr std::size_t shown = 3;
-        std::size_t count = 0;
-        for (auto const& d : document_.at("build").at("diagnostics"))
-            if (count++ < shown)
-                line("  {}:{}: {}: {}", text(d.at("file")), d.at("line").get<int>(), text(d.at("severity")),
-                     text(d.at("message")));
+        auto const& all = document_.at("build").at("diagnostics");
+        for (std::size_t i = 0; i < std::min(shown_diagnostics, all.size()); ++i)
+            line("  {}", diagnostic(all[i]));
     }
 
     /// Not finite: a wrong whole number, NaN or infinity.
@@ -139,13 +123,11 @@ private:
     }
 
     Report const& document_;
-    bool german_;
-    std::string out_;
 };
 }  // namespace
 
 std::string stress_to_text(Report const& document, Language language)
 {
-    return Printer(document, language).print();
+    return StressPrinter(document, language).print();
 }
 }  // namespace testat

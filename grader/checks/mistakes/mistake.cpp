@@ -9,9 +9,9 @@ std::vector<Answers const*> answers_of(Function function, CheckResults const& re
 {
     std::vector<Answers const*> found;
     for (auto const& check : results.checks) {
-        auto const group = observations.groups.find(check.name);
-        if (check.function == function && group != observations.groups.end())
-            found.push_back(&group->second);
+        Answers const* const answers = observations.find(check.name);
+        if (check.function == function && answers != nullptr)
+            found.push_back(answers);
     }
     return found;
 }
@@ -44,12 +44,6 @@ bool explains_all(Mistake const& mistake, std::vector<Answers const*> const& ask
     });
 }
 
-bool all_pass(CheckResults const& results, Function function)
-{
-    return std::all_of(results.checks.begin(), results.checks.end(),
-                       [&](auto const& check) { return check.function != function || check.passed; });
-}
-
 /// Nothing if no mistake explains the answers, or more than one.
 std::optional<std::string> name_mistake(Function function, std::vector<Answers const*> const& asked,
                                         Textures const& textures)
@@ -72,7 +66,7 @@ std::map<Function, std::string> name_mistakes(CheckResults const& results, Obser
     std::map<Function, std::string> names;
     for (Function function : every_function()) {
         auto const asked = answers_of(function, results, observations);
-        if (asked.empty() || all_pass(results, function))
+        if (asked.empty() || results.all_pass(function))
             continue;
         if (auto const name = name_mistake(function, asked, textures))
             names[function] = *name;

@@ -53,6 +53,12 @@ glm::dmat4 for_normals(glm::dmat4 const& m)
     return glm::dmat4(glm::transpose(glm::inverse(glm::dmat3(m))));
 }
 
+/// The same by cross products of the columns: a mirror turns it round.
+glm::dmat4 for_normals_unscaled(glm::dmat4 const& m)
+{
+    return for_normals(m) * glm::determinant(glm::dmat3(m));
+}
+
 /// d in a frame of these three axes, the first one for d.x.
 using Axes = glm::dmat3 (*)(glm::dvec3 tangent, glm::dvec3 normal, glm::dvec3 bitangent);
 
@@ -97,7 +103,7 @@ void add_transform_mistakes(std::vector<Mistake>& mistakes)
     direction("direction_is_translated", {product(as_it_is, 1, true), product(as_it_is, 1, false)});
     direction("direction_by_transposed_matrix", {product(transposed, 0, true), product(transposed, 0, false)});
     direction("direction_by_inverse_matrix", {product(inverted, 0, true), product(inverted, 0, false)});
-    direction("direction_as_normal", {product(for_normals, 0, true)});
+    direction("direction_as_normal", {product(for_normals, 0, true), product(for_normals_unscaled, 0, true)});
     auto const position = [&](char const* id, std::vector<WrongVector> const& wrong) {
         mistakes.push_back({id, Function::transform_position, {}});
         for (auto const& w : wrong)
