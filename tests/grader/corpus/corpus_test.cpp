@@ -1,16 +1,11 @@
 // Every file of the corpus is graded as its first line says.
 #include "corpus/uploads.h"
+#include "sanitizers.h"
 
 #include <set>
 
 namespace testat {
 namespace {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
-
 std::vector<Case> all_cases()
 {
     std::vector<Case> cases = cases_in({"correct", "wrong"});

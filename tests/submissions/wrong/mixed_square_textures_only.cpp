@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [1, 1.5], "create_mipmap": [1, 1], "evaluate_trilinear": [0.5, 0.5]}, "says": {"evaluate_nearest": "partial", "create_mipmap": "partial", "evaluate_trilinear": "crashed"}, "policy": [], "by_hand": 17.25, "mistake": {"evaluate_nearest": "nearest_swaps_width_and_height", "create_mipmap": "mipmap_stops_at_shorter_side", "evaluate_trilinear": "trilinear_crashes_at_last_level"}}
+// verdict: {"loses": {"evaluate_nearest": [1, 1.5], "create_mipmap": [1, 1], "evaluate_trilinear": [0.5, 0.5]}, "says": {"evaluate_nearest": "partial", "create_mipmap": "partial", "evaluate_trilinear": "crashed"}, "policy": [], "by_hand": 17.25, "mistake": {"evaluate_nearest": "nearest_swaps_width_and_height", "create_mipmap": "mipmap_stops_at_shorter_side", "evaluate_trilinear": "trilinear_crashes_at_last_level"}, "sanitizers": false}
 // By GRADING's table of mistakes, the middle where it gives a range:
 // evaluate_nearest swaps W and H: 1 to 1.5 of 2. create_mipmap stops at the shorter side: 1 of 2. evaluate_trilinear crashes
 // at S = 2^last: 0.5 of 2.
