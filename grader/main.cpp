@@ -1,4 +1,5 @@
 // The command line of testat: what to do and with which exit code to end (DESIGN.md, Commands).
+#include "diff/diff.h"
 #include "doctor.h"
 #include "grade.h"
 #include "json_schema.h"
@@ -17,7 +18,7 @@
 namespace {
 using namespace testat;
 
-enum Exit { done = 0, wrong_usage = 2, not_gradable = 3, interrupted = 130 };
+enum Exit { done = 0, different = 1, wrong_usage = 2, not_gradable = 3, interrupted = 130 };
 
 /// --lang, else the language of the environment.
 Language language(std::string const& wanted)
@@ -200,7 +201,29 @@ struct StressCommand {
     }
 };
 
+struct DiffCommand {
+    std::string a;
+    std::string b;
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("diff", "Compare two reports or two PNG pictures");
+        command->add_option("A", a, "report.json or picture")->required();
+        command->add_option("B", b, "report.json or picture")->required();
+        command->add_option("--lang", language, "Language of the text")->check(CLI::IsMember({"de", "en"}));
+    }
+
+    int run() const
+    {
+        Difference const difference = diff(a, b, ::language(language));
+        std::cout << difference.text;
+        return difference.same ? done : different;
+    }
+};
+
 struct Commands {
+    DiffCommand diff;
     GradeCommand grade;
     RenderCommand render;
     StressCommand stress;
@@ -208,6 +231,8 @@ struct Commands {
 
 int run_command(CLI::App const& app, Commands const& commands)
 {
+    if (app.got_subcommand("diff"))
+        return commands.diff.run();
     if (app.got_subcommand("stress"))
         return commands.stress.run();
     if (app.got_subcommand("grade"))
@@ -238,6 +263,7 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     app.set_version_flag("--version", installation().version);
     Commands commands;
+    commands.diff.add_to(app);
     commands.grade.add_to(app);
     commands.render.add_to(app);
     commands.stress.add_to(app);
