@@ -3,6 +3,7 @@
 #include "batch/overrides.h"
 #include "batch/regrade.h"
 #include "batch/store.h"
+#include "batch/times.h"
 #include "installation.h"
 #include "json_schema.h"
 #include "progress.h"
@@ -108,11 +109,11 @@ Report as_from(Upload const& upload, Report report)
     return report;
 }
 
-std::vector<Entry> grade_all(std::vector<Upload> const& uploads, BatchOptions const& options, Store const& store)
+std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOptions const& options, Store const& store)
 {
     auto const& settings = options.settings;
     GradingBasis const basis = current_basis(settings.compiler, settings.seed, settings.lenient);
-    std::vector<Entry> entries;
+    std::vector<GradedUpload> entries;
     std::map<std::string, Job> missing;  // identical files are graded once
     for (auto const& upload : uploads) {
         std::string const key = Store::key(upload.file, basis);
@@ -144,7 +145,7 @@ void link_or_copy(fs::path const& from, fs::path const& to)
         fs::copy_file(from, to, fs::copy_options::overwrite_existing);
 }
 
-void write_report(Entry const& entry, fs::path const& results, fs::path const& folder, Language language)
+void write_report(GradedUpload const& entry, fs::path const& results, fs::path const& folder, Language language)
 {
     fs::path const part = folder.string() + ".part";
     fs::remove_all(part);
@@ -160,7 +161,7 @@ void write_report(Entry const& entry, fs::path const& results, fs::path const& f
 }
 
 /// Students who are no longer in the input keep no report.
-void remove_others(std::vector<Entry> const& entries, fs::path const& reports)
+void remove_others(std::vector<GradedUpload> const& entries, fs::path const& reports)
 {
     std::set<std::string> names;
     for (auto const& entry : entries)
@@ -170,7 +171,7 @@ void remove_others(std::vector<Entry> const& entries, fs::path const& reports)
             fs::remove_all(folder.path());
 }
 
-void write_outputs(std::vector<Entry> const& entries, std::string const& overview, BatchOptions const& options)
+void write_outputs(std::vector<GradedUpload> const& entries, std::string const& overview, BatchOptions const& options)
 {
     fs::path const reports = options.out / "reports";
     fs::create_directories(reports);
@@ -207,6 +208,6 @@ bool batch(BatchOptions const& options)
     write_outputs(entries, overview, options);
     applied.remember(entries);
     std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
-    return std::all_of(entries.begin(), entries.end(), [](Entry const& entry) { return entry.is_graded(); });
+    return std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });
 }
 }  // namespace testat

@@ -22,7 +22,7 @@ struct BatchOptions {
 };
 
 /// One upload and its report, with what tutors have given.
-struct Entry {
+struct GradedUpload {
     Upload upload;
     std::string key;  ///< of its result in the store
     Report report;
@@ -35,8 +35,9 @@ struct Entry {
 bool batch(BatchOptions const& options);
 
 /// A row for each entry: who, when, points by function, mistakes, overrides.
-std::string grades_table(std::vector<Entry> const& entries);
+std::string grades_table(std::vector<GradedUpload> const& entries);
 
 /// How the batch came out, for tutors.
-std::string summary(std::vector<Entry> const& entries, std::vector<std::string> const& remarks, Language language);
+std::string summary(std::vector<GradedUpload> const& entries, std::vector<std::string> const& remarks,
+                    Language language);
 }  // namespace testat

@@ -29,7 +29,7 @@ std::string overrides_in(Report const& report)
 }
 }  // namespace
 
-std::string grades_table(std::vector<Entry> const& entries)
+std::string grades_table(std::vector<GradedUpload> const& entries)
 {
     CsvTable table;
     for (std::size_t row = 0; row < entries.size(); ++row) {

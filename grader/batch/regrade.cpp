@@ -35,7 +35,7 @@ std::string indented(std::string const& text)
 
 Applied::Applied(std::filesystem::path file) : file_(std::move(file)), before_(read_if_there(file_)) {}
 
-std::string Applied::changes(std::vector<Entry> const& entries, std::filesystem::path const& results,
+std::string Applied::changes(std::vector<GradedUpload> const& entries, std::filesystem::path const& results,
                              Language language) const
 {
     std::string out;
@@ -55,7 +55,7 @@ std::string Applied::changes(std::vector<Entry> const& entries, std::filesystem:
     return out;
 }
 
-void Applied::remember(std::vector<Entry> const& entries) const
+void Applied::remember(std::vector<GradedUpload> const& entries) const
 {
     Report document = Report::object();
     for (auto const& entry : entries)

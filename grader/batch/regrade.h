@@ -11,11 +11,11 @@ public:
 
     /// Lines of "student: 12.00 -> 11.50" with what is different beneath, for students whose file is the same as then.
     /// Empty if nobody's points change.
-    std::string changes(std::vector<Entry> const& entries, std::filesystem::path const& results,
+    std::string changes(std::vector<GradedUpload> const& entries, std::filesystem::path const& results,
                         Language language) const;
 
     /// Remembers the outputs that have been written.
-    void remember(std::vector<Entry> const& entries) const;
+    void remember(std::vector<GradedUpload> const& entries) const;
 
 private:
     std::filesystem::path file_;

@@ -26,7 +26,7 @@ using Names = std::vector<std::string>;
 
 class SummaryPrinter : Printer {
 public:
-    SummaryPrinter(std::vector<Entry> const& entries, Language language) : Printer(language), entries_(entries)
+    SummaryPrinter(std::vector<GradedUpload> const& entries, Language language) : Printer(language), entries_(entries)
     {
         for (auto const& entry : entries)
             if (entry.is_graded())
@@ -42,13 +42,14 @@ public:
             same_mistakes();
             slow();
         }
-        list(not_built, named([](Entry const& e) { return !e.report.at("build").at("ok").template get<bool>(); }));
-        list(crashed, named([](Entry const& e) {
+        list(not_built,
+             named([](GradedUpload const& e) { return !e.report.at("build").at("ok").template get<bool>(); }));
+        list(crashed, named([](GradedUpload const& e) {
                  auto const& applied = e.report.at("policy").at("applied");
                  return std::find(applied.begin(), applied.end(), "crashes") != applied.end();
              }));
         list(overridden,
-             named([](Entry const& e) { return to_text(e.report).find("\"override\"") != std::string::npos; }));
+             named([](GradedUpload const& e) { return to_text(e.report).find("\"override\"") != std::string::npos; }));
         Names late_ones, failed;
         for (auto const& entry : entries_) {
             if (entry.upload.late)
@@ -63,14 +64,14 @@ public:
     }
 
 private:
-    static double earned(Entry const& entry) { return entry.report.at("points").at("earned"); }
-    static double max(Entry const& entry) { return entry.report.at("points").at("max"); }
+    static double earned(GradedUpload const& entry) { return entry.report.at("points").at("earned"); }
+    static double max(GradedUpload const& entry) { return entry.report.at("points").at("max"); }
 
     template <typename Wanted>
     Names named(Wanted const& wanted) const
     {
         Names names;
-        for (Entry const* entry : graded_)
+        for (GradedUpload const* entry : graded_)
             if (wanted(*entry))
                 names.push_back(entry->upload.student);
         return names;
@@ -87,13 +88,13 @@ private:
 
     void headline()
     {
-        auto const passed =
-            named([](Entry const& e) { return e.report.at("points").at("passed_60_percent").template get<bool>(); });
+        auto const passed = named(
+            [](GradedUpload const& e) { return e.report.at("points").at("passed_60_percent").template get<bool>(); });
         line("{}", fmt::format(fmt::runtime(say(uploads)), entries_.size(), graded_.size(), passed.size()));
         if (graded_.empty())
             return;
         double sum = 0;
-        for (Entry const* entry : graded_)
+        for (GradedUpload const* entry : graded_)
             sum += earned(*entry);
         line("{}", fmt::format(fmt::runtime(say(mean_points)), sum / double(graded_.size()), max(*graded_.front())));
     }
@@ -102,7 +103,7 @@ private:
     {
         constexpr double step = 2;
         std::map<int, std::size_t> counts;
-        for (Entry const* entry : graded_)
+        for (GradedUpload const* entry : graded_)
             ++counts[int(std::min(earned(*entry), max(*entry) - step / 2) / step)];
         line("\n{}", say(totals));
         for (int bin = 0; step * bin < max(*graded_.front()); ++bin)
@@ -116,7 +117,7 @@ private:
         auto const& tasks = graded_.front()->report.at("tasks");
         for (std::size_t i = 0; i < tasks.size(); ++i) {
             double sum = 0;
-            for (Entry const* entry : graded_)
+            for (GradedUpload const* entry : graded_)
                 sum += entry->report.at("tasks").at(i).at("earned").get<double>();
             line("  {} {}: {:.2f} / {:.2f}", say(task_term), text(tasks.at(i).at("id")), sum / double(graded_.size()),
                  tasks.at(i).at("max").get<double>());
@@ -127,7 +128,7 @@ private:
     void same_mistakes()
     {
         std::map<std::string, Names> groups;
-        for (Entry const* entry : graded_)
+        for (GradedUpload const* entry : graded_)
             for (auto const& [name, function] : entry->report.at("functions").items())
                 if (function.contains("mistake"))
                     groups[text(function.at("mistake").at("id")) + ": " + phrase(function.at("mistake"))].push_back(
@@ -146,19 +147,23 @@ private:
     {
         constexpr std::size_t shown = 5;
         auto sorted = graded_;
-        auto const ms = [](Entry const* entry) { return entry->report.at("timing").at("total_ms").get<double>(); };
-        std::sort(sorted.begin(), sorted.end(), [&](Entry const* a, Entry const* b) { return ms(a) > ms(b); });
+        auto const ms = [](GradedUpload const* entry) {
+            return entry->report.at("timing").at("total_ms").get<double>();
+        };
+        std::sort(sorted.begin(), sorted.end(),
+                  [&](GradedUpload const* a, GradedUpload const* b) { return ms(a) > ms(b); });
         line("\n{}", say(slowest));
         for (std::size_t i = 0; i < std::min(shown, sorted.size()); ++i)
             line("  {:6.2f}  {}", ms(sorted[i]) / 1000, sorted[i]->upload.student);
     }
 
-    std::vector<Entry> const& entries_;
-    std::vector<Entry const*> graded_;
+    std::vector<GradedUpload> const& entries_;
+    std::vector<GradedUpload const*> graded_;
 };
 }  // namespace
 
-std::string summary(std::vector<Entry> const& entries, std::vector<std::string> const& remarks, Language language)
+std::string summary(std::vector<GradedUpload> const& entries, std::vector<std::string> const& remarks,
+                    Language language)
 {
     return SummaryPrinter(entries, language).print(remarks);
 }

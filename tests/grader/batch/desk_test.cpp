@@ -19,9 +19,9 @@ Report example_report(bool right, std::string const& sha256)
     return make_report(submission, build, results, score(results, build, rubric, false), rubric, {"1", "", 1}, {}, {});
 }
 
-Entry entry_of(std::string const& student, Report report)
+GradedUpload entry_of(std::string const& student, Report report)
 {
-    Entry entry;
+    GradedUpload entry;
     entry.upload.student = student;
     entry.key = student + "-key";
     entry.report = std::move(report);
@@ -36,7 +36,7 @@ bool contains(std::string const& text, std::string const& part)
 
 TEST(GradesTable, HasARowForEachStudent)
 {
-    Entry late = entry_of("Müller_Änne_am_12", example_report(true, "a"));
+    GradedUpload late = entry_of("Müller_Änne_am_12", example_report(true, "a"));
     late.upload.late = true;
     late.upload.login = "am";
     late.upload.submitted = 1795604340;
@@ -47,8 +47,8 @@ TEST(GradesTable, HasARowForEachStudent)
 
 TEST(Summary, CountsAndListsNotGradableApart)
 {
-    std::vector<Entry> const entries{entry_of("anna", example_report(true, "a")),
-                                     entry_of("bert", make_not_gradable({}, {"1", "", 1}, "no disk"))};
+    std::vector<GradedUpload> const entries{entry_of("anna", example_report(true, "a")),
+                                            entry_of("bert", make_not_gradable({}, {"1", "", 1}, "no disk"))};
     std::string const text = summary(entries, {"carl: no file"}, Language::en);
     EXPECT_TRUE(contains(text, "2 uploads, 1 graded, 1 with 60 % or more")) << text;
     EXPECT_TRUE(contains(text, "bert: no disk")) << text;
