@@ -12,6 +12,8 @@
 #include "rubric/rubric.h"
 #include "text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -131,6 +133,8 @@ std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOpt
     auto const overrides = read_overrides(options.out / "overrides.json");
     for (auto& entry : entries) {
         auto const found = store.find(entry.key);
+        if (found)
+            entry.graded = fmt::format("{:.2f}", found->at("points").at("earned").get<double>());
         entry.report = found ? apply(overrides, entry.upload.student, as_from(entry.upload, *found))
                              : not_gradable_report(entry.upload, options, grading.failure(entry.key));
     }

@@ -27,6 +27,7 @@ struct GradedUpload {
     Upload upload;
     std::string key;  ///< of its result in the store
     Report report;
+    std::string graded = "-";  ///< points before tutors gave theirs
     bool is_graded() const { return report.at("status") == "graded"; }
 };
 

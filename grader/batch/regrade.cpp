@@ -9,13 +9,6 @@
 
 namespace testat {
 namespace {
-std::string points_of(Report const& report)
-{
-    if (report.at("status") != "graded")
-        return "-";
-    return fmt::format("{:.2f}", report.at("points").at("earned").get<double>());
-}
-
 Report read_if_there(std::filesystem::path const& file)
 {
     std::ifstream in(file);
@@ -44,10 +37,10 @@ std::string Applied::changes(std::vector<GradedUpload> const& entries, std::file
             continue;
         auto const& before = before_.at(entry.upload.student);
         bool const same_file = before.at("sha256") == entry.report.at("submission").at("sha256");
-        std::string const now = points_of(entry.report);
-        if (!same_file || before.at("points") == now)
+        if (!same_file || before.at("points") == entry.graded)
             continue;
-        out += fmt::format("{}: {} -> {}\n", entry.upload.student, before.at("points").get<std::string>(), now);
+        out +=
+            fmt::format("{}: {} -> {}\n", entry.upload.student, before.at("points").get<std::string>(), entry.graded);
         Report const old = read_if_there(results / before.at("key").get<std::string>() / "report.json");
         if (old.contains("status"))
             out += indented(diff_reports(old, entry.report, language).text);
@@ -59,9 +52,8 @@ void Applied::remember(std::vector<GradedUpload> const& entries) const
 {
     Report document = Report::object();
     for (auto const& entry : entries)
-        document[entry.upload.student] = {{"key", entry.key},
-                                          {"sha256", entry.report.at("submission").at("sha256")},
-                                          {"points", points_of(entry.report)}};
+        document[entry.upload.student] = {
+            {"key", entry.key}, {"sha256", entry.report.at("submission").at("sha256")}, {"points", entry.graded}};
     write_atomically(file_, to_text(document));
 }
 }  // namespace testat

@@ -10,6 +10,7 @@ public:
     explicit Applied(std::filesystem::path file);
 
     /// Lines of "student: 12.00 -> 11.50" with what is different beneath, for students whose file is the same as then.
+    /// What tutors give is their own change, and none of these.
     /// Empty if nobody's points change.
     std::string changes(std::vector<GradedUpload> const& entries, std::filesystem::path const& results,
                         Language language) const;

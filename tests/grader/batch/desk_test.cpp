@@ -3,6 +3,7 @@
 
 #include "example_grading.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace testat {
@@ -25,6 +26,8 @@ GradedUpload entry_of(std::string const& student, Report report)
     entry.upload.student = student;
     entry.key = student + "-key";
     entry.report = std::move(report);
+    if (entry.is_graded())
+        entry.graded = fmt::format("{:.2f}", entry.report.at("points").at("earned").get<double>());
     return entry;
 }
 
