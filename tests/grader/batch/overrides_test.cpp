@@ -1,6 +1,7 @@
 #include "batch/overrides.h"
 
 #include "example_grading.h"
+#include "installation.h"
 #include "json_schema.h"
 #include "process/run.h"
 
@@ -37,6 +38,13 @@ TEST(Overrides, ChangeFunctionTaskAndSum)
               before.at("tasks").at(0).at("earned").get<double>() - 0.5);
     EXPECT_EQ(after.at("points").at("earned"), 1.5);
     EXPECT_EQ(after.at("policy").at("earned_without"), 1.5);
+}
+
+TEST(Overrides, KeepTheReportsSchema)
+{
+    Report const after = apply({half, total}, "anna", example_report());
+    auto const schema = installation().rubric.parent_path() / "report.schema.json";
+    EXPECT_NO_THROW(validate_json(nlohmann::json::parse(to_text(after)), schema, "report"));
 }
 
 TEST(Overrides, LeaveOthersAlone)
