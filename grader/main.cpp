@@ -217,6 +217,8 @@ struct BatchCommand {
         command->add_option("--jobs", options.at_once, "So many at a time (default: one for each core)")
             ->check(CLI::Range(1, 256));
         command->add_option("--deadline", options.deadline, "ISO 8601, instead of the rubric's");
+        command->add_flag("--similarity", options.similarity, "List uploads that have much in common");
+        command->add_option("--earlier", options.earlier, "Also compare with these inputs of other years");
         command->add_option("--assignment", options.assignment, "ILIAS's number of the exercise, for feedback.zip");
         command->add_flag("--no-resume", no_resume, "Grade all of them again");
         command->add_flag("--apply", options.apply, "Write points that change though the files are the same");

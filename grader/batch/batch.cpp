@@ -3,6 +3,7 @@
 #include "batch/ilias.h"
 #include "batch/overrides.h"
 #include "batch/regrade.h"
+#include "batch/similarity.h"
 #include "batch/store.h"
 #include "batch/times.h"
 #include "installation.h"
@@ -208,6 +209,19 @@ void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const
 }
 }  // namespace
 
+namespace {
+void write_similarity(Intake const& intake, fs::path const& scratch, BatchOptions const& options)
+{
+    std::vector<Upload> earlier;
+    for (auto const& input : options.earlier) {
+        auto const before = take_in(input, scratch / std::to_string(earlier.size()), std::nullopt).uploads;
+        earlier.insert(earlier.end(), before.begin(), before.end());
+    }
+    write_atomically(options.out / "similarity.txt",
+                     similarity_to_text(find_similar(intake.uploads, earlier), options.language));
+}
+}  // namespace
+
 bool batch(BatchOptions const& options)
 {
     claim(options.out);
@@ -215,7 +229,7 @@ bool batch(BatchOptions const& options)
     TemporaryDirectory const scratch;
     std::string const deadline =
         options.deadline.empty() ? read_rubric(installation().rubric).deadline : options.deadline;
-    Intake const intake = take_in(options.input, scratch.path(), parse_deadline(deadline));
+    Intake const intake = take_in(options.input, scratch.path() / "input", parse_deadline(deadline));
     auto const entries = grade_all(intake.uploads, options, store);
 
     Applied const applied(options.out / store_name / "applied.json");
@@ -229,6 +243,8 @@ bool batch(BatchOptions const& options)
     write_outputs(entries, overview, options);
     if (intake.is_ilias)
         write_for_ilias(entries, intake.title, options);
+    if (options.similarity || !options.earlier.empty())
+        write_similarity(intake, scratch.path(), options);
     applied.remember(entries);
     std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
     return std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });

@@ -14,10 +14,12 @@ struct BatchOptions {
     std::filesystem::path input;
     std::filesystem::path out;
     std::size_t at_once = 1;
-    std::string deadline;          ///< ISO 8601; empty: the rubric's
-    bool resume = true;            ///< results of before count
-    bool apply = false;            ///< changed points are written
-    std::string assignment = "0";  ///< ILIAS's number of the exercise, for the feedback's zip
+    std::string deadline;  ///< ISO 8601; empty: the rubric's
+    bool resume = true;    ///< results of before count
+    bool apply = false;    ///< changed points are written
+    bool similarity = false;
+    std::vector<std::filesystem::path> earlier;  ///< inputs of other years, for similarity
+    std::string assignment = "0";                ///< ILIAS's number of the exercise, for the feedback's zip
     GradeSettings settings;
     Language language = Language::en;
 };
