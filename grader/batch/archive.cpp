@@ -16,8 +16,7 @@ namespace testat {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t ratio_counts_from = 1 << 20;  // bytes
-constexpr std::int64_t end_of_1980 = 347'155'200;     // a zip without times says 1980
+constexpr std::int64_t end_of_1980 = 347'155'200;  // a zip without times says 1980
 
 /// libarchive gives names in the locale's encoding: UTF-8 for this thread, as long as this lives.
 class Utf8Locale {
@@ -56,8 +55,9 @@ std::string message_of(archive* a)
 
 class Unpacking {
 public:
-    Unpacking(fs::path const& zip, fs::path const& directory)
-        : zip_(one_line(zip.filename().string())),
+    Unpacking(fs::path const& zip, fs::path const& directory, UnpackLimits const& limits)
+        : limits_(limits),
+          zip_(one_line(zip.filename().string())),
           directory_(fs::canonical(directory)),
           in_(archive_read_new()),
           out_(archive_write_disk_new())
@@ -90,21 +90,23 @@ private:
             return nullptr;
         if (result < ARCHIVE_WARN)
             damaged(fmt::format("after entry {}", count_));
-        if (++count_ > max_entries)
+        if (++count_ > limits_.entries)
             throw std::invalid_argument(fmt::format(
                 "'{}' has more than {} entries, more than any course hands in. Look into it, and unpack what "
                 "is wanted into a folder.",
-                zip_, max_entries));
+                zip_, limits_.entries));
         return entry;
     }
 
     void take(archive_entry* entry)
     {
         char const* const bytes = archive_entry_pathname(entry);
+        if (bytes == nullptr)
+            return refuse(fmt::format("entry {}", count_), "its name claims to be UTF-8, but is not");
         std::string why;
-        std::string const name = entry_name(bytes == nullptr ? "" : bytes, why);
+        std::string const name = entry_name(bytes, why);
         if (!why.empty())
-            return refuse(bytes == nullptr ? "" : one_line(bytes, 300), why);
+            return refuse(one_line(bytes, 300), why);
         if (is_junk(name))
             return;
         if (archive_entry_filetype(entry) == AE_IFDIR)
@@ -115,18 +117,18 @@ private:
             write(name, entry);
     }
 
-    static std::string objection(archive_entry* entry)
+    std::string objection(archive_entry* entry) const
     {
         if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
             return "it is a link or a device";
         if (archive_entry_is_encrypted(entry) != 0)
             return "it is encrypted";
-        if (archive_entry_size(entry) < 0 || std::uint64_t(archive_entry_size(entry)) > max_entry_bytes)
+        if (archive_entry_size(entry) < 0 || std::uint64_t(archive_entry_size(entry)) > limits_.entry_bytes)
             return too_large();
         return "";
     }
 
-    static std::string too_large() { return fmt::format("it is larger than {} MB", max_entry_bytes >> 20); }
+    std::string too_large() const { return fmt::format("it is larger than {} MB", limits_.entry_bytes >> 20); }
 
     void refuse(std::string const& name, std::string const& why)
     {
@@ -178,26 +180,26 @@ private:
                 break;
             size += std::uint64_t(read);
             count_bytes(std::uint64_t(read), name);
-            if (size > max_entry_bytes)
+            if (size > limits_.entry_bytes)
                 return too_large();
             if (archive_write_data(out_.get(), buffer.data(), std::size_t(read)) < 0)
                 cannot_write(name);
         }
         std::uint64_t const packed =
             std::uint64_t(std::max<std::int64_t>(1, archive_filter_bytes(in_.get(), -1) - start));
-        if (size > ratio_counts_from && size / packed >= max_ratio)
-            return fmt::format("it is packed to less than 1/{} of its size, as no source file is", max_ratio);
+        if (size > limits_.ratio_from && size / packed >= limits_.ratio)
+            return fmt::format("it is packed to less than 1/{} of its size, as no source file is", limits_.ratio);
         return "";
     }
 
     void count_bytes(std::uint64_t read, std::string const& name)
     {
         total_ += read;
-        if (total_ > max_unpacked_bytes)
+        if (total_ > limits_.bytes)
             throw std::invalid_argument(fmt::format(
                 "'{}' unpacks to more than {} MB (stopped at '{}'). Look into it, and unpack what is wanted "
                 "into a folder.",
-                zip_, max_unpacked_bytes >> 20, name));
+                zip_, limits_.bytes >> 20, name));
     }
 
     [[noreturn]] void damaged(std::string const& where)
@@ -211,6 +213,7 @@ private:
         throw std::runtime_error(fmt::format("cannot write '{}': {}", one_line(file.string()), message_of(out_.get())));
     }
 
+    UnpackLimits limits_;
     std::string zip_;
     fs::path directory_;
     Archive in_;
@@ -228,14 +231,14 @@ void empty(fs::path const& directory)
 }
 }  // namespace
 
-Contents unpack(fs::path const& zip, fs::path const& directory)
+Contents unpack(fs::path const& zip, fs::path const& directory, UnpackLimits const& limits)
 {
     fs::create_directories(directory);
     if (!fs::is_empty(directory))
         throw std::runtime_error(fmt::format("'{}' is not empty", one_line(directory.string())));
     Utf8Locale const utf8;
     try {
-        return Unpacking(zip, directory).all();
+        return Unpacking(zip, directory, limits).all();
     } catch (...) {
         empty(directory);
         throw;

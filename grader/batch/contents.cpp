@@ -22,9 +22,11 @@ std::optional<std::int64_t> modified(std::filesystem::path const& file)
     return status.st_mtime;
 }
 
+/// "C:/"
 bool is_drive(std::string_view name)
 {
-    return name.size() >= 2 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+    return name.size() >= 3 && name[1] == ':' && name[2] == '/' &&
+           std::isalpha(static_cast<unsigned char>(name[0])) != 0;
 }
 
 void add(Contents& contents, std::filesystem::directory_entry const& found, std::string const& name)
@@ -59,6 +61,8 @@ std::string entry_name(std::string_view bytes, std::string& why)
         why = "its path is absolute";
     else if (std::find(parts.begin(), parts.end(), "..") != parts.end())
         why = "its path leaves the folder with '..'";
+    else if (parts.size() > max_depth)
+        why = "it lies in too many folders";
     else if (parts.empty())
         why = "it has no name";
     if (!why.empty())
@@ -88,6 +92,8 @@ try {
             at.disable_recursion_pending();
             continue;
         }
+        if (std::size_t(at.depth()) + 1 >= max_depth)
+            at.disable_recursion_pending();
         if (++count > max_entries)
             throw std::invalid_argument(
                 fmt::format("'{}' holds more than {} files and folders. Is it the folder with the uploads?",

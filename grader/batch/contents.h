@@ -21,12 +21,15 @@ struct Contents {
 /// More than any course hands in.
 constexpr std::size_t max_entries = 10'000;
 
+/// Folders in folders; deeper ones are left out.
+constexpr std::size_t max_depth = 20;
+
 /// Everything below a folder; links and special files are left out with a remark, hidden files without one. Throws
 /// std::invalid_argument if that is more than `max_entries` or cannot be read.
 Contents list_folder(std::filesystem::path const& folder);
 
 /// The name of an entry from bytes of any kind: Windows' backslashes become slashes, invalid UTF-8 is replaced. Empty,
-/// with the reason in `why`, if it is absolute or leaves its folder.
+/// with the reason in `why`, if it is absolute, leaves its folder, or is deeper than `max_depth`.
 std::string entry_name(std::string_view bytes, std::string& why);
 
 /// "a/b/c" as {"a", "b", "c"}.

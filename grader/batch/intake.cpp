@@ -79,20 +79,55 @@ std::set<std::string> folders_in(std::vector<Entry> const& entries)
     return folders;
 }
 
-/// Folders named like users that hold no others of that kind, nor the table: titles can look like users.
+bool is_below(std::string const& name, std::string const& folder)
+{
+    return folder.empty() || (name.size() > folder.size() && name[folder.size()] == '/' && name.rfind(folder, 0) == 0);
+}
+
+/// The folder around all others that are named like users: a title can be named like one, too. Empty if there is none.
+/// What students hand in has a say in it only where there is but one of them.
+std::string enclosing(std::vector<Entry> const& entries, std::set<std::string> const& named)
+{
+    auto const encloses = [&](std::string const& folder) {
+        return std::all_of(named.begin(), named.end(), [&](std::string const& other) {
+            return other == folder || is_below(other, folder) || is_below(folder, other);
+        });
+    };
+    std::string title;
+    for (auto const& entry : entries) {
+        std::string const folder = parent(entry.name);
+        bool const is_title = is_table(entry) && stem(base_name(entry.name)) == base_name(folder) && encloses(folder);
+        if (is_title && (title.empty() || folder.size() < title.size()))
+            title = folder;
+    }
+    if (!title.empty())
+        return title;
+    std::set<std::string> with_source;
+    for (auto const& entry : entries)
+        if (parse_file_name(entry.name).is_source)
+            with_source.insert(parent(entry.name));
+    for (auto const& folder : named)
+        if (folder != *named.rbegin() && with_source.count(folder) == 0 && encloses(folder))
+            title = folder;
+    return title;
+}
+
+/// The outermost folders named like users: students can have some in theirs.
 std::set<std::string> user_folders(std::vector<Entry> const& entries)
 {
-    std::set<std::string> users;
+    std::set<std::string> named;
     for (auto const& folder : folders_in(entries))
         if (parse_user_folder(base_name(folder)))
+            named.insert(folder);
+    std::string const title = enclosing(entries, named);
+    std::set<std::string> users;
+    for (auto const& folder : named) {
+        std::string above = parent(folder);
+        while (!above.empty() && above != title && named.count(above) == 0)
+            above = parent(above);
+        if (above == title && is_below(folder, title))
             users.insert(folder);
-    auto const all = users;
-    for (auto const& user : all)
-        for (std::string at = parent(user); !at.empty(); at = parent(at))
-            users.erase(at);
-    for (auto const& entry : entries)
-        if (is_table(entry) && stem(base_name(entry.name)) == base_name(parent(entry.name)))
-            users.erase(parent(entry.name));
+    }
     return users;
 }
 
@@ -105,6 +140,13 @@ std::string user_of(std::string const& name, std::set<std::string> const& users)
     return at;
 }
 
+/// Absolute, without a slash at the end.
+fs::path whole(fs::path const& path)
+{
+    fs::path const normal = fs::absolute(path).lexically_normal();
+    return normal.has_filename() ? normal : normal.parent_path();
+}
+
 class Reader {
 public:
     Reader(fs::path const& input, fs::path const& scratch, std::optional<std::int64_t> deadline)
@@ -113,6 +155,8 @@ public:
         if (!fs::exists(input))
             throw std::invalid_argument(fmt::format("There is no '{}'.", one_line(input.string())));
         is_folder_ = fs::is_directory(input);
+        if (!is_folder_ && !fs::is_regular_file(input))
+            throw std::invalid_argument(fmt::format("'{}' is neither a file nor a folder.", one_line(input.string())));
         Contents contents = is_folder_ ? list_folder(input) : unpack(input, scratch / "files");
         entries_ = std::move(contents.entries);
         intake_.remarks = std::move(contents.remarks);
@@ -139,8 +183,7 @@ public:
 private:
     std::string own_name() const
     {
-        fs::path const whole = fs::absolute(input_).lexically_normal();
-        std::string const name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+        std::string const name = whole(input_).filename().string();
         return one_line(is_folder_ ? name : stem(name));
     }
 
@@ -156,8 +199,7 @@ private:
             if (is_table(entry) && user_of(entry.name, users_).empty())
                 return stem(base_name(entry.name));
         bool const is_submissions = above.empty() && is_folder_;
-        fs::path const whole = fs::absolute(input_).lexically_normal();
-        return is_submissions ? one_line(whole.parent_path().filename().string()) : own_name();
+        return is_submissions ? one_line(whole(input_).parent_path().filename().string()) : own_name();
     }
 
     void remark(std::string text) { intake_.remarks.push_back(std::move(text)); }
@@ -165,24 +207,26 @@ private:
     Groups ilias_groups()
     {
         Groups groups;
-        for (auto const& user : users_) {
-            std::string const team = parse_team(base_name(parent(user))).value_or("");
-            Group& group = groups[team.empty() ? base_name(user) : "team " + team];
-            group.team = team;
-            group.folders.insert(base_name(user));
-        }
+        for (auto const& user : users_)
+            group_of(groups, user).folders.insert(base_name(user));
         for (auto const& entry : entries_) {
             std::string const user = user_of(entry.name, users_);
             if (entry.file.empty() || (user.empty() && is_table(entry)))
                 continue;
-            if (user.empty()) {
+            if (user.empty())
                 remark(fmt::format("'{}' lies in no student's folder and was left out.", entry.name));
-                continue;
-            }
-            std::string const team = parse_team(base_name(parent(user))).value_or("");
-            add_file(groups[team.empty() ? base_name(user) : "team " + team], entry, base_name(user));
+            else
+                add_file(group_of(groups, user), entry, base_name(user));
         }
         return groups;
+    }
+
+    static Group& group_of(Groups& groups, std::string const& user)
+    {
+        std::string const team = parse_team(base_name(parent(user))).value_or("");
+        Group& group = groups[team.empty() ? base_name(user) : "team " + team];
+        group.team = team;
+        return group;
     }
 
     struct Level {
@@ -367,8 +411,8 @@ private:
         std::string const because = intake_.remarks.empty() ? "" : " " + intake_.remarks.front();
         throw std::invalid_argument(
             fmt::format("'{}' has no uploads in it: neither ILIAS's folders <Lastname>_<Firstname>_<login>_<number>, "
-                        "nor .cpp files, "
-                        "nor folders with .cpp files.{} Give the zip as ILIAS made it, or a folder of .cpp files.",
+                        "nor .cpp files, nor folders with .cpp files.{} Give the zip as ILIAS made it, or a folder of "
+                        ".cpp files.",
                         one_line(input_.string()), because));
     }
 
