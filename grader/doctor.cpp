@@ -2,6 +2,7 @@
 
 #include "process/run.h"
 #include "rubric/rubric.h"
+#include "sandbox/cage.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ std::string full_disk()
 std::vector<Finding> findings(Installation const& where)
 {
     std::string const missing = missing_parts(where);
+    CageTrouble const cage = find_cage_trouble();
     return {
         find_program("g++", "g++", true),
         find_program("mold", "mold", true),
@@ -50,6 +52,7 @@ std::vector<Finding> findings(Installation const& where)
         find_program("clang++", "clang", false),
         {"built parts", missing.empty() ? "" : "missing: " + missing, "remove build/release and run ./testat again"},
         {"rubric", problem_of([&] { read_rubric(where.rubric); }), "mend " + where.rubric.string()},
+        {"cage for uploads", cage.problem, cage.remedy},
         {"temporary space", full_disk(), "make room"},
     };
 }
@@ -67,8 +70,6 @@ bool doctor(Installation const& where, std::ostream& out)
         out << "\n";
         ready = ready && (f.problem.empty() || !f.required);
     }
-    out << "  note     uploads run with limits on time, memory and output, but this version does not cage them:\n"
-           "           grade files of people you do not trust in a machine that you can throw away\n";
     out << (ready ? "ready\n" : "not ready\n");
     return ready;
 }

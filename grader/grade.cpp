@@ -23,11 +23,12 @@ Rubric select(Rubric rubric, GradeOptions const& options)
 }
 
 /// Starts no probe where there is nothing to run, or nothing to ask. `ms` adds up what observing takes.
-Observations observe_if_any(Build const& build, Request const& request, Installation const& where, double& ms)
+Observations observe_if_any(Build const& build, Request const& request, Installation const& where, Cage& cage,
+                            double& ms)
 {
     if (build.library.empty() || request.groups.empty())
         return {};
-    Observations observations = observe(build, request, where);
+    Observations observations = observe(build, request, where, cage);
     ms += observations.ms;
     return observations;
 }
@@ -44,13 +45,16 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
                     Installation const& where)
 {
     auto const start = std::chrono::steady_clock::now();
+    Cage cage(options.confinement);
     TemporaryDirectory const workplace;
     Build const build =
-        compile(submission, {options.compiler, rubric.standard, options.compiler_flags}, workplace.path(), where);
+        compile(submission, {options.compiler, rubric.standard, options.compiler_flags}, workplace.path(), where, cage);
     double const compiled_ms = ms_since(start);
     Questions const questions = make_questions(rubric, build.written(), options.seed, submission.sha256);
     double observe_ms = 0;
-    auto const answers = [&](Request const& request) { return observe_if_any(build, request, where, observe_ms); };
+    auto const answers = [&](Request const& request) {
+        return observe_if_any(build, request, where, cage, observe_ms);
+    };
 
     Observations const units = answers(questions.request);
     CheckResults results = check(units, questions, rubric);
@@ -69,7 +73,7 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     write_pictures(results, options.out, where.envelopes);
 
     return make_report(submission, build, results, grade, rubric, {rubric.version, questions.sha256, questions.seed},
-                       {build.ms, observe_ms, check_ms, ms_since(start)}, {options.for_tutor});
+                       {build.ms, observe_ms, check_ms, ms_since(start)}, {options.for_tutor, cage.is_caged()});
 }
 
 void make_directory(std::filesystem::path const& directory)

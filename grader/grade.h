@@ -15,6 +15,7 @@ struct GradeOptions {
     bool lenient = false;
     std::string compiler = "g++";
     std::vector<std::string> compiler_flags;  ///< behind our own
+    Confinement confinement = Confinement::cage;
 };
 
 /// Grades a file and writes `out`/report.json with its pictures. The report is whole or, if something of ours fails,

@@ -28,13 +28,19 @@ Language language(std::string const& wanted)
     return Language::en;
 }
 
+void add_no_sandbox(CLI::App& command, Confinement& confinement)
+{
+    command.add_flag_callback(
+        "--no-sandbox", [&] { confinement = Confinement::none; },
+        "Run the file without a cage, with your rights: only for a file of your own");
+}
+
 struct GradeCommand {
     GradeOptions options;
     std::vector<std::string> tasks;
     std::vector<std::string> formats{"json"};
     std::string language;
     std::string profile = "tutor";
-    bool no_sandbox = false;
 
     void add_to(CLI::App& app)
     {
@@ -59,7 +65,7 @@ struct GradeCommand {
             ->delimiter(',')
             ->check(CLI::IsMember({"json"}));
         command->add_flag("--lenient", options.lenient, "Leave out the sheet's rules for whole files");
-        command->add_flag("--no-sandbox", no_sandbox, "Run the file without a cage (this version has none)");
+        add_no_sandbox(*command, options.confinement);
         command->callback([this] { prepare(); });
     }
 
@@ -140,6 +146,7 @@ struct StressCommand {
         command->add_option("--compiler", options.compiler, "Which compiler builds the file")
             ->check(CLI::IsMember({"g++", "clang++"}))
             ->capture_default_str();
+        add_no_sandbox(*command, options.confinement);
         command->add_flag("--contract-only", options.stress.contract_only,
                           "Leave out what the contract does not allow");
         command->callback([this] { prepare(); });

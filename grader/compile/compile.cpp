@@ -3,7 +3,6 @@
 #include "compile/diagnostics.h"
 #include "compile/mend.h"
 #include "compile/symbols.h"
-#include "process/run.h"
 #include "source/definitions.h"
 #include "source/includes.h"
 #include "text.h"
@@ -16,12 +15,14 @@
 namespace testat {
 namespace {
 constexpr char source_name[] = "exercise_03.cpp";
-constexpr char library_name[] = "upload.so";
+/// The one folder that the compiler can write to.
+constexpr char output_name[] = "out";
+constexpr char library_name[] = "out/upload.so";
 constexpr double compiler_cpu_s = 20;
 constexpr double compiler_wall_s = 60;
 /// All attempts to mend a file together.
-constexpr double mending_cpu_s = 40;
-constexpr double mending_wall_s = 60;
+constexpr double mending_cpu_s = 20;
+constexpr double mending_wall_s = 30;
 constexpr std::size_t compiler_memory = std::size_t(2) << 30;
 constexpr std::size_t compiler_file_size = std::size_t(64) << 20;
 
@@ -90,11 +91,24 @@ Arguments compiler_call(CompileOptions const& options, Installation const& where
     return call;
 }
 
-Finished call_compiler(Arguments const& call, std::filesystem::path const& directory, double cpu_s = compiler_cpu_s,
-                       double wall_s = compiler_wall_s)
-{
-    return run({call, directory, {}, cpu_s, wall_s, compiler_memory, compiler_file_size});
-}
+/// A compiler at work on what lies in `directory`.
+struct Compiler {
+    Installation const& where;
+    std::filesystem::path const& directory;
+    Cage& cage;
+
+    Finished operator()(Arguments const& call, double cpu_s = compiler_cpu_s, double wall_s = compiler_wall_s) const
+    {
+        Caged caged{{call, directory, {}, cpu_s, wall_s, compiler_memory, compiler_file_size}, compiler_directories()};
+        for (auto const& path : {where.include, where.headers, where.libraries / "libtestat_trampolines.so",
+                                 where.libraries / "libtestat_framework.so"})
+            caged.sees.push_back(path);
+        caged.sees.push_back(directory);
+        caged.writes = directory / output_name;
+        caged.temporary_files = true;
+        return cage.run(caged);
+    }
+};
 
 /// A full disk is our trouble, whatever the compiler says about it.
 void check_space(std::filesystem::path const& directory)
@@ -110,6 +124,12 @@ void write_source(std::string const& text, std::filesystem::path const& director
     out << text;
     if (!out.flush())
         throw std::runtime_error("cannot write " + (directory / source_name).string());
+}
+
+/// What lies where the compiler could write: a link would be read with our rights.
+bool is_plain_file(std::filesystem::path const& file)
+{
+    return std::filesystem::symlink_status(file).type() == std::filesystem::file_type::regular;
 }
 
 Diagnostic failure_without_message(Finished const& compiler)
@@ -151,16 +171,16 @@ double seconds_since(Clock::time_point start)
 }
 
 /// Compiles texts until the time for all of them is used up.
-CompileText with_time_limit(Arguments const& call, std::filesystem::path const& directory)
+CompileText with_time_limit(Arguments const& call, Compiler const& compiler)
 {
-    return [&call, &directory, start = Clock::now(), cpu_s = mending_cpu_s](std::string const& text) mutable {
+    return [&call, &compiler, start = Clock::now(), cpu_s = mending_cpu_s](std::string const& text) mutable {
         double const wall_s = mending_wall_s - seconds_since(start);
         Finished finished;
         finished.timed_out = !(cpu_s > 0 && wall_s > 0);
         if (finished.timed_out)
             return finished;
-        write_source(text, directory);
-        finished = call_compiler(call, directory, std::min(cpu_s, compiler_cpu_s), wall_s);
+        write_source(text, compiler.directory);
+        finished = compiler(call, std::min(cpu_s, compiler_cpu_s), wall_s);
         cpu_s -= finished.cpu_s;
         return finished;
     };
@@ -174,36 +194,37 @@ void take_symbols(SymbolReport const& symbols, Build& build)
 
 /// The library of a file that does not compile, without the functions that are to blame for it.
 void compile_mended(Submission const& submission, Finished const& failed, Arguments const& call,
-                    std::filesystem::path const& directory, Installation const& where, Build& build)
+                    Compiler const& compiler, Build& build)
 {
     build.sources = excerpts(submission.text, recover_definitions(submission.text));
-    auto const mended = mend(submission.text, failed, source_name, submission.file, with_time_limit(call, directory));
+    auto const mended = mend(submission.text, failed, source_name, submission.file, with_time_limit(call, compiler));
     if (!mended)
         return;
-    auto const symbols = check_symbols(directory / library_name, submission.file, where);
+    auto const library = compiler.directory / library_name;
+    auto const symbols = check_symbols(library, submission.file, compiler.where, compiler.cage);
     if (symbols.defined == FunctionSet())
         return;
     build.mended = true;
-    build.library = directory / library_name;
+    build.library = library;
     build.broken = mended->broken;
-    build.untouched = same_bodies(mended->text, text_of(where.exercise_template));
+    build.untouched = same_bodies(mended->text, text_of(compiler.where.exercise_template));
     take_symbols(symbols, build);
 }
 
-void run_compiler(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
-                  Installation const& where, Build& build)
+void run_compiler(Submission const& submission, CompileOptions const& options, Compiler const& compiler, Build& build)
 {
+    Installation const& where = compiler.where;
     Arguments const header = precompiled_header(submission, options, where);
-    Finished compiler = call_compiler(compiler_call(options, where, header), directory);
-    if (compiler.exit_code != 0 && !compiler.timed_out && !header.empty())
-        compiler = call_compiler(compiler_call(options, where, {}), directory);
-    if (compiler.exit_code != 0) {
-        check_space(directory);
-        note_failure(compiler, submission, build);
-        return compile_mended(submission, compiler, compiler_call(options, where, header), directory, where, build);
+    Finished finished = compiler(compiler_call(options, where, header));
+    if (finished.exit_code != 0 && !finished.timed_out && !header.empty())
+        finished = compiler(compiler_call(options, where, {}));
+    if (finished.exit_code != 0 || !is_plain_file(compiler.directory / library_name)) {
+        check_space(compiler.directory);
+        note_failure(finished, submission, build);
+        return compile_mended(submission, finished, compiler_call(options, where, header), compiler, build);
     }
-    build.library = directory / library_name;
-    auto const symbols = check_symbols(build.library, submission.file, where);
+    build.library = compiler.directory / library_name;
+    auto const symbols = check_symbols(build.library, submission.file, where, compiler.cage);
     take_symbols(symbols, build);
     build.diagnostics = symbols.duplicates;
     for (auto const& [function, error] : symbols.missing)
@@ -213,7 +234,7 @@ void run_compiler(Submission const& submission, CompileOptions const& options, s
 }  // namespace
 
 Build compile(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
-              Installation const& where)
+              Installation const& where, Cage& cage)
 {
     auto const start = Clock::now();
     Build build;
@@ -225,7 +246,10 @@ Build compile(Submission const& submission, CompileOptions const& options, std::
     build.sources = excerpts(submission.text, find_definitions(submission.text));
     build.untouched = same_bodies(submission.text, text_of(where.exercise_template));
     write_source(submission.text, directory);
-    run_compiler(submission, options, directory, where, build);
+    std::filesystem::create_directory(directory / output_name);
+    cage.show(directory);
+    cage.hand_over(directory / output_name);
+    run_compiler(submission, options, {where, directory, cage}, build);
     build.ms = 1e3 * seconds_since(start);
     return build;
 }

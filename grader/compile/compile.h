@@ -1,6 +1,7 @@
 #pragma once
 #include "installation.h"
 #include "model.h"
+#include "sandbox/cage.h"
 
 namespace testat {
 struct CompileOptions {
@@ -13,10 +14,10 @@ struct CompileOptions {
 /// Throws UnreadableInput if there is no such regular file or it cannot be read.
 Submission read_submission(std::filesystem::path const& file);
 
-/// Submission -> Build. Compiles into `directory`, links against trampolines and framework, and checks the symbols.
-/// The upload's mistakes are diagnostics; a missing compiler or a full disk throws std::runtime_error.
+/// Submission -> Build. Compiles in the cage and into `directory`, links against trampolines and framework, and checks
+/// the symbols. The upload's mistakes are diagnostics; a missing compiler or a full disk throws std::runtime_error.
 Build compile(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
-              Installation const& where);
+              Installation const& where, Cage& cage);
 
 /// Wrong usage: the file to grade is not there, or not readable.
 struct UnreadableInput : std::runtime_error {

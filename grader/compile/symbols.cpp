@@ -1,6 +1,5 @@
 #include "compile/symbols.h"
 
-#include "process/run.h"
 #include "text.h"
 
 #include <cxxabi.h>
@@ -13,18 +12,22 @@
 
 namespace testat {
 namespace {
+constexpr std::size_t nm_memory = std::size_t(1) << 30;
+
 struct Symbol {
     char type;  ///< as nm prints it
     std::string name;
 };
 
-std::vector<Symbol> read_symbols(std::filesystem::path const& library)
+/// What nm cannot read has no symbols: it was a stranger's text that told the linker what to write.
+std::vector<Symbol> read_symbols(std::filesystem::path const& library, Cage& cage)
 {
-    Finished const nm = run({{"nm", "-D", "--defined-only", library.string()}, "/", {}, 10, 30});
-    if (nm.exit_code != 0)
-        throw std::runtime_error("nm cannot read " + library.string() + ": " + clean_text(nm.output, 300));
+    Caged nm{{{"nm", "-D", "--defined-only", library.string()}, "/", {}, 10, 30, nm_memory, 1}};
+    nm.sees = compiler_directories();
+    nm.sees.push_back(library);
+    Finished const finished = cage.run(nm);
     std::vector<Symbol> symbols;
-    std::istringstream lines(nm.output);
+    std::istringstream lines(finished.exit_code == 0 ? finished.output : "");
     std::string address;
     Symbol symbol;
     while (lines >> address >> symbol.type >> symbol.name)
@@ -84,9 +87,10 @@ std::string explain_missing(Function f, std::vector<Symbol> const& symbols)
 }
 }  // namespace
 
-SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where)
+SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where,
+                           Cage& cage)
 {
-    auto const symbols = read_symbols(library);
+    auto const symbols = read_symbols(library, cage);
     auto const taken = framework_symbols(where);
     SymbolReport report;
     for (auto const& symbol : symbols) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "installation.h"
 #include "model.h"
+#include "sandbox/cage.h"
 
 namespace testat {
 /// What an upload's library says about itself.
@@ -11,7 +12,8 @@ struct SymbolReport {
 };
 
 /// Reads the dynamic symbols of a library that was compiled from `shown`.
-SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where);
+SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where,
+                           Cage& cage);
 
 /// The C++ declaration of a mangled name; the name itself if it is no such name or suspiciously long.
 std::string demangle(std::string const& name);

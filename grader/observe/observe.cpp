@@ -59,21 +59,39 @@ Answers lost(Group const& group)
 /// M_PERTURB leaves out what malloc keeps in its cache.
 char const fill_every_block[] = "GLIBC_TUNABLES=glibc.malloc.tcache_count=0";
 
-std::string ask(Build const& build, std::vector<std::byte> const& questions, Descriptor const& answers,
-                Limits const& limits, Installation const& where)
+Finished ask(Build const& build, std::vector<std::byte> const& questions, Descriptor const& answers,
+             Installation const& where, Cage& cage)
 {
     Descriptor const request = memory_file("request");
     write_all(request.get(), questions.data(), questions.size());
-    Finished const probe = run({{(where.libraries / "probe").string(), build.library.string(),
-                                 where.references.string(), where.assets.string()},
-                                "/",
-                                {{request.get(), 3}, {answers.get(), 4}},
-                                0,
-                                4 * limits.total_s + 60,
-                                0,
-                                0,
-                                {fill_every_block}});
-    return clean_text(probe.output, 400);
+    auto const probe = where.libraries / "probe";
+    Caged caged;
+    caged.command.argv = {probe, build.library, where.references, where.assets};
+    caged.command.descriptors = {{request.get(), 3}, {answers.get(), 4}};
+    caged.command.wall_s = HUGE_VAL;
+    caged.command.variables = {fill_every_block};
+    caged.sees = library_directories();
+    for (auto const& path : {probe, where.libraries / "libtestat_trampolines.so",
+                             where.libraries / "libtestat_framework.so", where.references, where.assets, build.library})
+        caged.sees.push_back(path);
+    return cage.run(caged);
+}
+
+/// As far as the cage's allowance goes.
+Limits within(Allowance const& left, Limits limits)
+{
+    constexpr double to_finish_s = 2;
+    limits.all_s = left.cpu_s;
+    limits.wall_s = left.wall_s - to_finish_s;
+    return limits;
+}
+
+/// The groups that a probe did not come to before it was stopped.
+void time_out_rest(Observations& observations)
+{
+    for (auto& [name, answers] : observations.groups)
+        if (answers.status.ended == Ended::lost)
+            answers.status.ended = Ended::timed_out;
 }
 }  // namespace
 
@@ -103,15 +121,18 @@ Observations decode_answers(Request const& request, std::vector<std::byte> const
     return observations;
 }
 
-Observations observe(Build const& build, Request const& request, Installation const& where)
+Observations observe(Build const& build, Request const& request, Installation const& where, Cage& cage)
 {
     auto const start = std::chrono::steady_clock::now();
     Descriptor const answers = memory_file("answers");
-    std::string const complaint = ask(build, serialize(request), answers, request.limits, where);
-    auto const stream = read_stream(answers.get(), stream_size(request));
-    if (stream.size() < sizeof greeting)
-        throw std::runtime_error("the probe did not start: " + complaint);
-    Observations observations = decode_answers(request, stream);
+    Finished const probe = ask(build, serialize(request, within(cage.left(), request.limits)), answers, where, cage);
+    if (probe.exit_code != 0 && !probe.timed_out)
+        throw std::runtime_error("the probe failed: " + clean_text(probe.output, 400));
+    if (probe.timed_out && lseek(answers.get(), 0, SEEK_END) == 0)
+        write_all(answers.get(), &greeting, sizeof greeting);  // it had no time even for that
+    Observations observations = decode_answers(request, read_stream(answers.get(), stream_size(request)));
+    if (probe.timed_out)
+        time_out_rest(observations);
     observations.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return observations;
 }

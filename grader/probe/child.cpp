@@ -8,14 +8,19 @@
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cfenv>
+#include <clocale>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <system_error>
 
 namespace testat {
 namespace {
@@ -67,6 +72,13 @@ std::string reference_for(FunctionSet from_upload, std::string const& directory)
     return directory + "/all.so";
 }
 
+/// As it was before the upload's constructors ran.
+void reset_arithmetic()
+{
+    std::fesetenv(FE_DFL_ENV);
+    std::setlocale(LC_ALL, "C");
+}
+
 /// The upload as dlopen gives it.
 void* load(ChildTask const& task)
 {
@@ -74,12 +86,15 @@ void* load(ChildTask const& task)
     if (wanted != FunctionSet::all())
         fill_slots(load_library(reference_for(wanted, task.libraries.references)),
                    FunctionSet(FunctionSet::all().bits() & ~wanted.bits()));
+    task.restrictions.before_loading(task.group.kind == Kind::rendering);
     void* const upload = load_library(task.libraries.upload);
+    task.restrictions.after_loading();
+    reset_arithmetic();
     fill_slots(upload, wanted);
     return upload;
 }
 
-/// Null if the libraries are not in place.
+/// Null if the libraries are not in place, or if a constructor of the upload has kept us from restricting it further.
 void* try_to_load(ChildTask const& task)
 {
     task.board.phase = Phase::loading;
@@ -133,6 +148,27 @@ void answer_all(ChildTask const& task, void* upload)
     }
 }
 }  // namespace
+
+bool can_be_restricted(Restrictions const& restrictions)
+{
+    pid_t const pid = fork();
+    if (pid < 0)
+        throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) {
+        try {
+            restrictions.before_loading(false);
+            restrictions.after_loading();
+            _exit(0);
+        } catch (std::exception const& e) {
+            std::fprintf(stderr, "probe: %s\n", e.what());
+            _exit(1);
+        }
+    }
+    int status = 0;
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status == 0;
+}
 
 void become_child(ChildTask const& task)
 {

@@ -1,4 +1,5 @@
 #pragma once
+#include "probe/restrictions.h"
 #include "probe/server.h"
 #include "process/run.h"
 
@@ -21,11 +22,16 @@ struct ChildTask {
     std::vector<TextureData> const& textures;
     AssetLibrary& assets;
     Libraries const& libraries;
+    Restrictions const& restrictions;
     double cpu_s;
     int output;  ///< takes stdout and stderr
     Blackboard& board;
     std::uint32_t* answers;
 };
+
+/// Whether a process can be restricted here, said in a process that is good for nothing else. Throws std::system_error
+/// if there can be no process.
+bool can_be_restricted(Restrictions const& restrictions);
 
 /// Turns a freshly forked process into the child of a group. Does not come back.
 [[noreturn]] void become_child(ChildTask const& task);

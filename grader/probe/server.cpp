@@ -1,5 +1,6 @@
 #include "probe/server.h"
 
+#include "probe/accounts.h"
 #include "probe/child.h"
 
 #include <poll.h>
@@ -11,9 +12,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <map>
 #include <system_error>
 #include <vector>
 
@@ -26,6 +27,11 @@ namespace {
 [[noreturn]] void fail(char const* what)
 {
     throw std::system_error(errno, std::generic_category(), what);
+}
+
+double now_s()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Waits until the child has ended or the wall time is up; true if it is up.
@@ -59,9 +65,8 @@ struct Death {
 
 Death await_death(pid_t pid, double limit_s)
 {
-    constexpr double wall_per_cpu = 2;
     Death death;
-    death.late = wait_for(pid, wall_per_cpu * limit_s + 1);
+    death.late = wait_for(pid, Accounts::wall_limit(limit_s));
     if (death.late)
         kill(-pid, SIGKILL);
     rusage usage{};
@@ -139,18 +144,23 @@ private:
 class Server {
 public:
     Server(Request const& request, Libraries const& libraries, AssetLibrary& assets)
-        : request_(request), libraries_(libraries), assets_(assets), board_(largest(request))
+        : request_(request),
+          libraries_(libraries),
+          assets_(assets),
+          restrictions_(libraries.upload),
+          board_(largest(request)),
+          start_s_(now_s()),
+          accounts_(request.limits, request.hanging)
     {
+        if (!can_be_restricted(restrictions_))
+            throw std::runtime_error("this machine does not let a process be restricted");
     }
 
     void answer_group(Group const& group, int answers)
     {
         board_.wipe(group.answer_size());
-        GroupStatus const status = may_run(group) ? run(group) : out_of_time();
-        if (status.ended == Ended::timed_out)
-            timed_out_.push_back(group.from_upload);
-        loading_hangs_ = loading_hangs_ || (status.ended == Ended::timed_out && board_.board().phase == Phase::loading);
-        spent_s_[group.from_upload.bits()] += status.cpu_s;
+        double const limit_s = loading_hangs_ ? 0 : accounts_.limit_for(group.from_upload, now_s() - start_s_);
+        GroupStatus const status = limit_s > 0 ? run(group, limit_s) : out_of_time();
         write_all(answers, &status, sizeof status);
         write_all(answers, board_.answers(), 4 * group.answer_size());
     }
@@ -164,15 +174,6 @@ private:
         return words;
     }
 
-    /// What is left for the functions of this group: a slow function must not use up the time of others.
-    double left_s(Group const& group) const
-    {
-        auto const spent = spent_s_.find(group.from_upload.bits());
-        return request_.limits.total_s - (spent == spent_s_.end() ? 0 : spent->second);
-    }
-
-    bool may_run(Group const& group) const { return !loading_hangs_ && left_s(group) > 0; }
-
     static GroupStatus out_of_time()
     {
         GroupStatus status;
@@ -180,44 +181,40 @@ private:
         return status;
     }
 
-    double limit_for(Group const& group) const
+    GroupStatus run(Group const& group, double limit_s)
     {
-        bool const again = std::any_of(timed_out_.begin(), timed_out_.end(),
-                                       [&](FunctionSet hanging) { return hanging.is_subset_of(group.from_upload); });
-        bool const known = request_.hanging.meets(group.from_upload);
-        double const limit = again || known ? request_.limits.after_timeout_s : request_.limits.group_s;
-        return std::min(limit, std::max(1.0, left_s(group)));
-    }
-
-    GroupStatus run(Group const& group)
-    {
-        double const limit_s = limit_for(group);
+        double const start_s = now_s();
         Descriptor const output = memory_file("output");
         pid_t const pid = fork();
         if (pid < 0)
             fail("fork");
         if (pid == 0)
-            become_child({group, request_.textures, assets_, libraries_, limit_s, output.get(), board_.board(),
-                          board_.answers()});
+            become_child({group, request_.textures, assets_, libraries_, restrictions_, limit_s, output.get(),
+                          board_.board(), board_.answers()});
         Death const death = await_death(pid, limit_s);
         GroupStatus status = describe(death, board_.board(), limit_s);
         read_output(output, status);
+        bool const late = status.ended == Ended::timed_out;
+        accounts_.charge(group.from_upload, status.cpu_s, now_s() - start_s, late);
+        loading_hangs_ = loading_hangs_ || (late && board_.board().phase == Phase::loading);
         return status;
     }
 
     Request const& request_;
     Libraries const& libraries_;
     AssetLibrary& assets_;
+    Restrictions const restrictions_;
     SharedBoard board_;
-    std::vector<FunctionSet> timed_out_;
+    double const start_s_;
+    Accounts accounts_;
     bool loading_hangs_ = false;
-    std::map<std::uint32_t, double> spent_s_;  ///< by the bits of from_upload
 };
 }  // namespace
 
 void serve(Request const& request, Libraries const& libraries, AssetLibrary& assets, int answers)
 {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
+    assets.map_texels();
     Server server(request, libraries, assets);
     write_all(answers, &greeting, sizeof greeting);
     for (auto const& group : request.groups)

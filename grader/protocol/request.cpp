@@ -129,10 +129,10 @@ Group read_group(Reader& in)
 }
 }  // namespace
 
-std::vector<std::byte> serialize(Request const& request)
+std::vector<std::byte> serialize(Request const& request, Limits const& limits)
 {
     Writer out;
-    out.value(request.limits);
+    out.value(limits);
     out.value(request.hanging);
     out.value(std::uint64_t(request.textures.size()));
     for (auto const& texture : request.textures)

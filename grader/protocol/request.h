@@ -40,11 +40,14 @@ struct Group {
     std::size_t answer_size() const { return std::size_t(count) * words_per_answer; }  ///< in words
 };
 
-/// CPU seconds; wall limits are derived from them.
+/// CPU seconds; wall limits of groups are derived from them.
 struct Limits {
     double group_s = 10;         ///< for a group of questions
     double after_timeout_s = 1;  ///< for a group whose functions have run into the limit before
-    double total_s = 60;         ///< for all groups with the same functions
+    double total_s = 20;         ///< for all groups with the same functions
+    double hanging_s = 3;        ///< for all groups with functions that have run into the limit before, from then on
+    double all_s = 60;           ///< for the whole request
+    double wall_s = 90;          ///< for the whole request, by the clock on the wall
 };
 
 struct Request {
@@ -78,7 +81,13 @@ constexpr std::uint32_t greeting = 0x74737431;  ///< first word of an answer str
 /// An answer word that was never written: a quiet NaN as float, an impossible index as integer.
 constexpr std::uint32_t unanswered = 0x7fc0dead;
 
-std::vector<std::byte> serialize(Request const& request);
+/// With other limits than the request's own.
+std::vector<std::byte> serialize(Request const& request, Limits const& limits);
+
+inline std::vector<std::byte> serialize(Request const& request)
+{
+    return serialize(request, request.limits);
+}
 
 /// The inverse. Throws std::runtime_error when the bytes are not one whole request.
 Request parse_request(std::vector<std::byte> const& bytes);

@@ -255,6 +255,7 @@ Report make_report(Submission const& submission, Build const& build, CheckResult
                      {"status", "graded"},
                      {"submission", submission_part(submission)},
                      {"test_set", test_set_part(test_set)},
+                     {"sandbox", options.sandbox},
                      {"build", build_part(build)},
                      {"points", points_part(grade)},
                      {"policy", policy_part(grade)},

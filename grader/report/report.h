@@ -11,6 +11,7 @@ using Report = nlohmann::ordered_json;
 
 struct ReportOptions {
     bool for_tutor = true;  ///< students do not see what would have been right
+    bool sandbox = true;    ///< the file was compiled and run in the cage
 };
 
 struct TestSet {

@@ -28,6 +28,7 @@ constexpr Term expected{"erwartet", "expected"};
 constexpr Term hint{"Hinweis", "hint"};
 constexpr Term cause{"Ursache", "cause"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
+constexpr Term no_sandbox{"Ohne Käfig ausgeführt (--no-sandbox)", "Run without a cage (--no-sandbox)"};
 constexpr Term remarks_term{"Anmerkungen (ändern keine Punkte)", "Remarks (they change no points)"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
 constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
@@ -100,6 +101,7 @@ public:
         if (report_.at("status") == "not_gradable")
             return fmt::format("{}\n  {}\n", say(not_gradable), text(report_.at("error")));
         headline();
+        sandbox();
         diagnostics();
         table();
         first_mistakes();
@@ -113,6 +115,12 @@ private:
     {
         std::string const padding(label_columns - 2 - width(say(label)), ' ');
         line("  {}{}{}", say(label), padding, wrap(words, label_columns));
+    }
+
+    void sandbox()
+    {
+        if (!report_.at("sandbox").get<bool>())
+            line("  {}", wrap(say(no_sandbox), 2));
     }
 
     void headline()

@@ -79,7 +79,7 @@ Rubric convert(Json const& json)
     rubric.pass_fraction = json.at("pass_fraction");
     rubric.rounding = json.at("rounding");
     auto const& limits = json.at("limits");
-    rubric.limits = {limits.at("group_s"), limits.at("after_timeout_s"), limits.at("total_s")};
+    rubric.limits = {limits.at("group_s"), limits.at("after_timeout_s"), limits.at("total_s"), limits.at("hanging_s")};
     for (auto const& task : json.at("tasks"))
         rubric.tasks.push_back({task.at("id").get<std::string>().at(0), read_phrase(task.at("title"))});
     for (auto const& [name, function] : json.at("functions").items())

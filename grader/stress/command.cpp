@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include <cmath>
+
 namespace testat {
 namespace {
 void make_directory(std::filesystem::path const& directory)
@@ -24,12 +26,15 @@ std::string stress_file(StressFile const& options, Installation const& where)
 {
     Submission const submission = read_submission(options.file);
     make_directory(options.out);
+    constexpr Allowance as_long_as_it_takes{HUGE_VAL, HUGE_VAL};
+    Cage cage(options.confinement, as_long_as_it_takes);
     TemporaryDirectory const workplace;
     CompileOptions compile_options;
     compile_options.compiler = options.compiler;
     compile_options.standard = read_rubric(where.rubric).standard;
-    Build const build = compile(submission, compile_options, workplace.path(), where);
-    auto const results = build.library.empty() ? std::vector<FunctionStress>() : stress(build, options.stress, where);
+    Build const build = compile(submission, compile_options, workplace.path(), where, cage);
+    auto const results =
+        build.library.empty() ? std::vector<FunctionStress>() : stress(build, options.stress, where, cage);
     Report const document = stress_to_json(submission, build, options.stress, results);
     write_atomically(options.out / "stress.json", to_text(document));
     write_atomically(options.out / "stress.svg", stress_to_svg(results, submission.file, options.language));

@@ -10,6 +10,7 @@ struct StressFile {
     StressOptions stress;
     Language language = Language::en;
     std::string compiler = "g++";
+    Confinement confinement = Confinement::cage;
 };
 
 /// Writes stress.json and stress.svg into `out`, and returns what people read. That the file does not compile is

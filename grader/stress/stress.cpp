@@ -19,7 +19,7 @@ constexpr std::size_t parts = 64;
 /// So many times a block may run into the time limit, which is shorter from the second time on.
 constexpr std::uint64_t most_timeouts = 3;
 /// Loops that take one step for each unit of a coordinate stay below. CPU seconds.
-constexpr Limits limits{5, 1, 20};
+constexpr Limits limits{5, 1, 20, 20};
 /// What lies outside of the contract is one eighth of the questions.
 constexpr std::uint32_t outside_share = 8;
 
@@ -97,7 +97,8 @@ void count_end(Ended ended, Counts& counts)
 /// Asks a block, and again what lies behind questions that ended the process.
 class Asking {
 public:
-    Asking(Build const& build, Installation const& where, Oracle oracle) : build_(build), where_(where), oracle_(oracle)
+    Asking(Build const& build, Installation const& where, Cage& cage, Oracle oracle)
+        : build_(build), where_(where), cage_(cage), oracle_(oracle)
     {
     }
 
@@ -118,7 +119,7 @@ private:
     /// Leaves in the request what had better be asked again.
     void ask_once(Tally& tally)
     {
-        Observations const observations = observe(build_, request_, where_);
+        Observations const observations = observe(build_, request_, where_, cage_);
         std::vector<Group> rest;
         for (auto const& group : request_.groups) {
             Group left = settle(observations.groups.at(group.name), tally);
@@ -152,6 +153,7 @@ private:
 
     Build const& build_;
     Installation const& where_;
+    Cage& cage_;
     Oracle oracle_;
     Request request_;
 };
@@ -187,7 +189,7 @@ std::vector<Series> make_series(Build const& build, StressOptions const& options
     return all;
 }
 
-Tally ask_block(Job const& job, Build const& build, StressOptions const& options, Installation const& where)
+Tally ask_block(Job const& job, Build const& build, StressOptions const& options, Installation const& where, Cage& cage)
 {
     Series const& series = *job.series;
     std::uint32_t const questions = series.questions_in(job.block);
@@ -195,7 +197,7 @@ Tally ask_block(Job const& job, Build const& build, StressOptions const& options
         return left_out(questions);
     Oracle const oracle = series.inside ? series.subject->oracle : nullptr;
     auto const index = static_cast<std::uint32_t>(job.block);
-    return Asking(build, where, oracle)
+    return Asking(build, where, cage, oracle)
         .ask(stress_block(*series.subject, series.inside, index, questions, options.seed));
 }
 
@@ -218,7 +220,8 @@ private:
 };
 
 /// The first block of a series tells whether the function hangs; then the others are left out.
-void run(std::vector<Series>& all, Build const& build, StressOptions const& options, Installation const& where)
+void run(std::vector<Series>& all, Build const& build, StressOptions const& options, Installation const& where,
+         Cage& cage)
 {
     std::vector<Job> first, rest;
     for (auto& series : all)
@@ -227,7 +230,7 @@ void run(std::vector<Series>& all, Build const& build, StressOptions const& opti
     SeriesProgress progress(all.size());
     for (auto const& jobs : {first, rest})
         tbb::parallel_for_each(jobs, [&](Job const& job) {
-            job.series->tallies[job.block] = ask_block(job, build, options, where);
+            job.series->tallies[job.block] = ask_block(job, build, options, where, cage);
             progress.block_is_done(*job.series);
         });
 }
@@ -265,10 +268,11 @@ void summarize(FunctionStress& result)
     result.max = errors.back();
 }
 
-std::vector<FunctionStress> stress(Build const& build, StressOptions const& options, Installation const& where)
+std::vector<FunctionStress> stress(Build const& build, StressOptions const& options, Installation const& where,
+                                   Cage& cage)
 {
     std::vector<Series> all = make_series(build, options);
-    run(all, build, options, where);
+    run(all, build, options, where, cage);
     std::vector<FunctionStress> results;
     for (auto const& subject : subjects()) {
         FunctionStress result;

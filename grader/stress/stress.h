@@ -1,6 +1,7 @@
 #pragma once
 #include "installation.h"
 #include "model.h"
+#include "sandbox/cage.h"
 #include "stress/tally.h"
 
 #include <filesystem>
@@ -25,7 +26,8 @@ struct FunctionStress {
 
 /// One for each of the eleven, in the order of the sheet; the same for the same build and seed whatever the number of
 /// threads, unless something runs into the time limit. Throws std::runtime_error when something of ours fails.
-std::vector<FunctionStress> stress(Build const& build, StressOptions const& options, Installation const& where);
+std::vector<FunctionStress> stress(Build const& build, StressOptions const& options, Installation const& where,
+                                   Cage& cage);
 
 /// The questions of one block, as `stress` asks them.
 Block stress_block(Subject const& subject, bool inside, std::uint32_t index, std::uint32_t questions,

@@ -87,6 +87,17 @@ std::shared_ptr<TexelBytes const> AssetLibrary::texels_of(std::string const& ste
     return texels;
 }
 
+void AssetLibrary::map_texels()
+{
+    std::error_code error;
+    std::lock_guard<std::mutex> const lock(mutex_);
+    for (fs::directory_entry const& entry : fs::directory_iterator(fs::path(directory_) / cache_folder, error)) {
+        std::string const stem = entry.path().filename().string();
+        if (auto texels = open_texel_cache(entry.path().string(), png_path(directory_, stem)))
+            texels_[stem] = std::move(texels);
+    }
+}
+
 void AssetLibrary::cache_texels(std::string const& stem) const
 {
     std::string const png = png_path(directory_, stem);

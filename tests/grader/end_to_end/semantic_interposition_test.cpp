@@ -56,7 +56,8 @@ GroupStatus ask(std::string const& compiler, std::string const& flag)
     request.groups[0].name = canary;
     request.groups[0].under_test = check->function;
     request.groups[0].from_upload = FunctionSet::only(check->function);
-    return observe(built, request, installation()).groups.at(canary).status;
+    Cage cage(Confinement::none);
+    return observe(built, request, installation(), cage).groups.at(canary).status;
 }
 
 class SemanticInterposition : public testing::TestWithParam<std::string> {};

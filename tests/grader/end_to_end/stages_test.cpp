@@ -14,7 +14,7 @@ Names const stages{"compile", "observe", "checks", "score", "report"};
 
 /// What every stage may include.
 Names const shared_files{"model.h", "answers.h", "functions.h", "installation.h", "text.h", "json_schema.h"};
-Names const shared_folders{"process", "protocol", "rubric", "source", "envelopes"};
+Names const shared_folders{"process", "protocol", "sandbox", "rubric", "source", "envelopes"};
 
 struct Include {
     std::filesystem::path file;

@@ -19,6 +19,7 @@ public:
             std::filesystem::path const& out, std::filesystem::path const& err);
 
     void send(int signal) const;
+    pid_t pid() const { return pid_; }
 
     /// The exit code; 128 + N when signal N ended it.
     int wait() const;

@@ -26,6 +26,9 @@ public:
     /// the picture's file has changed. Throws std::runtime_error naming what is missing or cannot be written.
     void cache_texels(std::string const& stem) const;
 
+    /// Maps all that cache_texels has kept into memory: from then on load() opens no file for these pictures.
+    void map_texels();
+
 private:
     std::shared_ptr<TexelBytes const> texels_of(std::string const& stem);
 
