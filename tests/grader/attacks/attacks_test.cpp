@@ -32,6 +32,6 @@ TEST_P(Attacks, GainNothingAndHurtNobody)
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Attacks, testing::ValuesIn(all_attacks()),
-                         [](auto const& info) { return info.param.name; });
+                         [](auto const& instance) { return instance.param.name; });
 }  // namespace
 }  // namespace testat
