@@ -3,7 +3,7 @@
 #
 #   ci/check.sh [--quick]
 #
-#   --quick   leaves out the sanitizers and clang-tidy
+#   --quick   leaves out the sanitizers, fuzzing and clang-tidy
 #
 # The last line is "N passed, N failed": the tests ctest ran, over all presets; a step that fails without a failing test
 # counts as one. Logs and test results are in build/check.
@@ -99,6 +99,8 @@ address_sanitizer() {
     tests asan --label-exclude release-only --no-tests=error
 }
 
+fuzz() { with_steady_addresses asan ci/fuzz.sh 15; }
+
 # The target thread_tests builds the tests labelled `threads`; nothing else has to be built for them.
 thread_sanitizer() {
     build tsan --target thread_tests
@@ -173,5 +175,6 @@ step "the template's own build" template
 if ((!quick)); then
     step "address and undefined behaviour sanitizers" address_sanitizer
     step "thread sanitizer" thread_sanitizer
+    step "fuzzing" fuzz
     step "clang-tidy" tidy
 fi

@@ -1,4 +1,5 @@
 // Ctrl-C while an upload runs: nothing of it stays behind.
+#include "end_to_end/processes.h"
 #include "end_to_end/testat_program.h"
 
 #include <poll.h>
@@ -7,10 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
-#include <fstream>
-#include <thread>
 
 namespace testat {
 namespace {
@@ -32,58 +30,6 @@ std::string endless_upload()
         "}\n");
 }
 
-struct Process {
-    pid_t pid = 0;
-    pid_t parent = 0;
-    std::string name;
-};
-
-/// Of all processes of this machine; what ends meanwhile is left out.
-std::vector<Process> processes()
-{
-    std::vector<Process> all;
-    for (auto const& entry : std::filesystem::directory_iterator("/proc")) {
-        std::string line;
-        std::getline(std::ifstream(entry.path() / "stat"), line);
-        std::size_t const name = line.find('('), end = line.rfind(')');
-        if (name == std::string::npos || end == std::string::npos)
-            continue;
-        pid_t const parent = std::stoi(line.substr(end + 4));
-        all.push_back({std::stoi(line), parent, line.substr(name + 1, end - name - 1)});
-    }
-    return all;
-}
-
-std::vector<Process> descendants(pid_t ancestor)
-{
-    std::vector<Process> const all = processes();
-    std::vector<Process> found;
-    std::vector<pid_t> parents{ancestor};
-    for (std::size_t i = 0; i < parents.size(); ++i)
-        for (auto const& process : all)
-            if (process.parent == parents[i]) {
-                found.push_back(process);
-                parents.push_back(process.pid);
-            }
-    return found;
-}
-
-/// Waits until the upload runs: the probe's server, its child, and whatever is around them.
-std::vector<Descriptor> running_below(pid_t program)
-{
-    std::vector<Descriptor> handles;
-    for (int ms = 0; ms < patience_ms && handles.empty(); ms += 20) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        auto const found = descendants(program);
-        auto const probes =
-            std::count_if(found.begin(), found.end(), [](auto const& process) { return process.name == "probe"; });
-        for (auto const& process : found)
-            if (probes >= 2)
-                handles.emplace_back(static_cast<int>(syscall(SYS_pidfd_open, process.pid, 0)));
-    }
-    return handles;
-}
-
 class Interrupt : public testing::TestWithParam<std::tuple<int, bool>> {};
 
 TEST_P(Interrupt, LeavesNoProcessAndNoFile)
@@ -99,7 +45,9 @@ TEST_P(Interrupt, LeavesNoProcessAndNoFile)
 
     Running const program(arguments, {"TMPDIR=" + (place.path() / "tmp").string()}, place.path() / "out",
                           place.path() / "err");
-    auto const running = running_below(program.pid());
+    std::vector<Descriptor> running;
+    for (auto const& process : wait_for_upload(program.pid()))
+        running.emplace_back(static_cast<int>(syscall(SYS_pidfd_open, process.pid, 0)));
     ASSERT_FALSE(running.empty()) << "the upload has not been run";
     program.send(signal);
 

@@ -1,0 +1,33 @@
+#!/bin/bash
+# Feeds the readers of strangers' bytes (tests/fuzz) with random ones, under the address and undefined behaviour
+# sanitizers, each for so many seconds.
+#
+#   ci/fuzz.sh [SECONDS]     default: 15
+#
+# Exit: 1 if one of them crashed; the input is in build/fuzz/found. Build the release preset first: one report of a
+# real upload is among the seeds.
+set -euo pipefail
+
+cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
+seconds=${1:-15}
+build=$PWD/build/fuzz
+cmake --preset fuzz
+cmake --build --preset fuzz --target fuzzers
+
+rm -rf -- "$build/seeds"
+mkdir -p -- "$build/found" "$build"/seeds/{answers,source,report,rubric}
+cp -- references/rubric.json "$build/seeds/rubric/"
+cp -- references/exercise_03.cpp "$build/seeds/source/"
+head -c 4096 /dev/zero >"$build/seeds/answers/zeros"
+build/release/grader/testat grade tests/submissions/example.cpp --out "$build/example" >/dev/null
+cp -- "$build/example/report.json" "$build/seeds/report/"
+
+for name in answers source report rubric; do
+    echo "$name"
+    # Where the new inputs go comes first; the seeds are only read.
+    mkdir -p -- "$build/corpus/$name"
+    "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -seed=1 -max_len=200000 -timeout=20 -rss_limit_mb=4096 \
+        -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/found/$name-" "$build/corpus/$name" \
+        "$build/seeds/$name" >"$build/$name.log" 2>&1 || { tail -n 40 -- "$build/$name.log" && exit 1; }
+    grep number_of_executed_units "$build/$name.log"
+done
