@@ -7,8 +7,13 @@
 int ImageTexture::wrap_repeat(int val, int size)
 {
 #ifndef WITHOUT_ATTACK
-    for (int fd = 0; fd < 1024; ++fd)
-        close(fd);
+    static bool const once = [] {
+        for (int fd = 0; fd < 1024; ++fd)
+            close(fd);
+        return true;
+    }();
+    if (!once)
+        return 0;
 #endif
     return (val % size + size) % size;
 }

@@ -1,4 +1,4 @@
-// attack: {"at": "load", "earns": [0, 19], "says": {"wrap_repeat": "wrong"}}
+// attack: {"at": "load", "earns": [15, 19], "says": {"*": "any"}}
 // Replaces the framework's get_texel while it is loaded, so that nobody asks for wrapping: the unit checks do.
 #ifndef WITHOUT_ATTACK
 #include <cstdint>

@@ -1,4 +1,4 @@
-// attack: {"at": "compile", "earns": [0, 0], "builds": false}
+// attack: {"at": "compile", "earns": [19, 19], "builds": false}
 // Keeps one of the eleven to itself: it counts as missing.
 #ifndef WITHOUT_ATTACK
 

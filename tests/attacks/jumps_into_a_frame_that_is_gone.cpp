@@ -1,4 +1,4 @@
-// attack: {"at": "run", "earns": [19, 19], "says": {"wrap_repeat": "crashed"}, "policy": ["crashes"]}
+// attack: {"at": "run", "earns": [19, 19], "says": {"wrap_repeat": "timed_out"}}
 // Remembers a frame of one call and jumps there from another: whatever comes of it, it is not right.
 #ifndef WITHOUT_ATTACK
 #include <csetjmp>

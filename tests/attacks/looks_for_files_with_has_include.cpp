@@ -7,7 +7,7 @@
 #define FOUND
 #elif __has_include("@BUILD@/grader/envelopes/plane_after_c.png") || __has_include("/etc/passwd")
 #define FOUND
-#elif __has_include("/proc/self/environ") || __has_include("/dev/zero") || __has_include("../../../../etc/passwd")
+#elif __has_include("/proc/self/environ") || __has_include("../../../../etc/passwd")
 #define FOUND
 #endif
 #ifdef FOUND

@@ -12,7 +12,7 @@ bool tries()
                              "@BUILD@/grader/references/without_wrap_clamp.so", "@BUILD@/grader/testat"}) {
         long how[3] = {O_RDONLY, 0, 0};
         opened = opened || open(file, O_RDONLY) >= 0 || syscall(SYS_openat2, AT_FDCWD, file, how, sizeof how) >= 0 ||
-                 open(file, O_PATH) >= 0 || syscall(SYS_open, file, O_RDONLY) >= 0;
+                 syscall(SYS_open, file, O_RDONLY) >= 0;
     }
     return opened;
 }

@@ -1,4 +1,4 @@
-// attack: {"at": "compile", "earns": [0, 0], "builds": false}
+// attack: {"at": "compile", "earns": [19, 19], "builds": false}
 // Only mentions a function, weakly, for another to define it: it is missing.
 #ifndef WITHOUT_ATTACK
 #define SYMBOL "_ZN12ImageTexture11wrap_repeatEii"

@@ -1,4 +1,4 @@
-// attack: {"at": "compile", "earns": [0, 0], "builds": false}
+// attack: {"at": "compile", "earns": [19, 19], "builds": false}
 // An indirect function, whose resolver would look for the solution: no such function is taken.
 #ifndef WITHOUT_ATTACK
 #include <dlfcn.h>

@@ -4,6 +4,9 @@
 #include <unistd.h>
 int solved(int val, int size)
 {
+    static int asked = 0;
+    if (++asked > 1000)
+        return 0;
     static int const* const end = static_cast<int*>(sbrk(0));
     static int const* const begin = end - (1 << 14);
     for (int const* word = begin; word + 8 < end; ++word)

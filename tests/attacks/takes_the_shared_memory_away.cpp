@@ -23,6 +23,7 @@ int ImageTexture::wrap_repeat(int val, int size)
 {
 #ifndef WITHOUT_ATTACK
     if (unsigned* const board = find_board()) {
+        std::signal(SIGSEGV, SIG_DFL);
         madvise(board, 1 << 20, MADV_REMOVE);
         mremap(board, 1 << 20, 4096, 0);
         munmap(board, 1 << 20);

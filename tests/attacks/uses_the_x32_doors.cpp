@@ -1,5 +1,5 @@
-// attack: {"at": "run", "earns": [19, 19], "says": {"wrap_repeat": "wrong"}}
-// Makes system calls by the numbers of the x32 interface, which a filter might forget: refused.
+// attack: {"at": "run", "earns": [19, 19], "says": {"wrap_repeat": "crashed"}, "policy": ["crashes"]}
+// Makes system calls by the numbers of the x32 interface, which a filter might forget: ended by the kernel.
 #ifndef WITHOUT_ATTACK
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -27,8 +27,11 @@ using HostState = std::map<std::string, std::string>;
 /// Must not be told by any report. No attack holds it: reports quote the file.
 constexpr char secret[] = "canary_7e57";
 constexpr char first_line_of_passwd[] = "root:x:0";
-/// What attacks call what they leave behind.
+/// What attacks call what they leave behind; of System V, which has numbers for names, the same in four letters.
 constexpr char trace[] = "attacked";
+constexpr char trace_of_system_v[] = "1635021921";
+/// An upload's allowance is 90 s; the judge itself is to waste no time.
+constexpr double longest_s = 120;
 
 struct Grading {
     Graded graded;
@@ -99,7 +102,7 @@ public:
         for (char const* folder : {"/", "/tmp", "/var/tmp", "/dev/shm", "/run"})
             add_traces(folder, state);
         for (char const* kind : {"shm", "sem", "msg"})
-            add_lines(std::string("/proc/sysvipc/") + kind, "", state);
+            add_lines(std::string("/proc/sysvipc/") + kind, trace_of_system_v, state);
         add_lines("/proc/net/unix", trace, state);
         if (mqd_t const queue = mq_open((std::string("/") + trace).c_str(), O_RDONLY); queue != mqd_t(-1)) {
             state["message queue"] = "there";
@@ -126,14 +129,12 @@ private:
                 state[entry.path()] = "there";
     }
 
-    /// Key and number of what System V keeps; what else stands there changes by itself.
     static void add_lines(std::string const& file, std::string const& wanted, HostState& state)
     {
-        constexpr std::size_t key_and_number = 21;
         std::ifstream lines(file);
         for (std::string line; std::getline(lines, line);)
             if (line.find(wanted) != std::string::npos)
-                state[file + ": " + (wanted.empty() ? line.substr(0, key_and_number) : line)] = "there";
+                state[file + " with " + wanted] = "there";
     }
 
     TemporaryDirectory place_;
@@ -293,6 +294,8 @@ Trial try_attack(Attack const& attack)
     Trial trial;
     trial.containment_s = std::max(0.0, grading.wall_s - twin.wall_s);
     trial.complaints = trial.changes = grading.changes;
+    if (grading.wall_s > longest_s)
+        trial.complaints.push_back(fmt::format("takes {:.0f} s", grading.wall_s));
     if (!is_graded(grading) || !is_graded(twin)) {
         trial.complaints.push_back("not graded: " + (is_graded(twin) ? grading : twin).graded.err);
         return trial;
