@@ -3,12 +3,14 @@
 #include "grade.h"
 #include "json_schema.h"
 #include "process/run.h"
+#include "report/formats/format.h"
 #include "report/text.h"
 #include "stress/command.h"
 #include "text.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -26,6 +28,14 @@ Language language(std::string const& wanted)
         if (char const* value = std::getenv(name); value != nullptr && *value != '\0')
             return std::string(value).rfind("de", 0) == 0 ? Language::de : Language::en;
     return Language::en;
+}
+
+/// What --format may be.
+std::vector<std::string> names_of_formats(std::vector<std::string> names)
+{
+    for (auto const& format : formats())
+        names.push_back(format.name);
+    return names;
 }
 
 void add_no_sandbox(CLI::App& command, Confinement& confinement)
@@ -63,7 +73,7 @@ struct GradeCommand {
             ->allow_extra_args(false);
         command->add_option("--format", formats, "Formats to write; json is always written")
             ->delimiter(',')
-            ->check(CLI::IsMember({"json"}));
+            ->check(CLI::IsMember(names_of_formats({"json"})));
         command->add_flag("--lenient", options.lenient, "Leave out the sheet's rules for whole files");
         add_no_sandbox(*command, options.confinement);
         command->callback([this] { prepare(); });
@@ -84,9 +94,19 @@ struct GradeCommand {
     int run() const
     {
         Report const report = grade(options, installation());
+        write_formats(report);
         std::cout << report_to_text(report, ::language(language)) << "\n"
                   << one_line((options.out / "report.json").string()) << "\n";
         return report.at("status") == "graded" ? done : not_gradable;
+    }
+
+private:
+    void write_formats(Report const& report) const
+    {
+        for (auto const& format : ::testat::formats())
+            if (std::find(formats.begin(), formats.end(), format.name) != formats.end())
+                write_atomically(options.out / format.file,
+                                 format.write({{options.out.filename(), report}}, ::language(language)));
     }
 };
 
@@ -99,22 +119,35 @@ struct RenderCommand {
     {
         auto* command = app.add_subcommand("render", "Show reports again");
         command->add_option("REPORT", reports, "report.json files")->required();
-        command->add_option("--format", format, "text: the table; json: the document, validated")
-            ->check(CLI::IsMember({"text", "json"}))
+        command->add_option("--format", format, "text: the table; json: the document, validated; or another one")
+            ->check(CLI::IsMember(names_of_formats({"text", "json"})))
             ->capture_default_str();
         command->add_option("--lang", language, "Language of the table")->check(CLI::IsMember({"de", "en"}));
     }
 
     int run() const
     {
-        for (auto const& file : reports) {
-            Report const report = read(file);
-            std::cout << (format == "json" ? to_text(report) : report_to_text(report, ::language(language)));
-        }
+        std::vector<NamedReport> all;
+        for (auto const& file : reports)
+            all.push_back({std::filesystem::absolute(file).parent_path().filename(), read(file)});
+        for (auto const& other : formats())
+            if (other.name == format)
+                return print(other, all);
+        for (auto const& named : all)
+            std::cout << (format == "json" ? to_text(named.report)
+                                           : report_to_text(named.report, ::language(language)));
         return done;
     }
 
 private:
+    int print(Format const& wanted, std::vector<NamedReport> const& all) const
+    {
+        if (all.size() > 1 && !wanted.takes_many)
+            throw std::invalid_argument("--format " + wanted.name + " takes one report at a time");
+        std::cout << wanted.write(all, ::language(language));
+        return done;
+    }
+
     /// A file that is no report is wrong usage.
     static Report read(std::string const& file)
     {

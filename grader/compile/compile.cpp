@@ -26,6 +26,9 @@ constexpr double mending_wall_s = 30;
 constexpr std::size_t compiler_memory = std::size_t(2) << 30;
 constexpr std::size_t compiler_file_size = std::size_t(64) << 20;
 
+/// Includes what every upload includes, and is right.
+constexpr char trial_text[] = "#include <cglib/rt/object.h>\n#include <cglib/rt/texture.h>\n";
+
 using Arguments = std::vector<std::string>;
 
 void append(Arguments& to, Arguments const& more)
@@ -211,6 +214,15 @@ void compile_mended(Submission const& submission, Finished const& failed, Argume
     take_symbols(symbols, build);
 }
 
+/// Throws std::runtime_error if not even the framework's headers compile and link: then it is not the upload's fault.
+void check_toolchain(Arguments const& call, Compiler const& compiler)
+{
+    write_source(trial_text, compiler.directory);
+    Finished const finished = compiler(call);
+    if (finished.exit_code != 0 && !finished.timed_out)
+        throw std::runtime_error("the compiler does not work: " + clean_text(finished.output, 400));
+}
+
 void run_compiler(Submission const& submission, CompileOptions const& options, Compiler const& compiler, Build& build)
 {
     Installation const& where = compiler.where;
@@ -220,6 +232,8 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
         finished = compiler(compiler_call(options, where, {}));
     if (finished.exit_code != 0 || !is_plain_file(compiler.directory / library_name)) {
         check_space(compiler.directory);
+        if (!finished.timed_out)
+            check_toolchain(compiler_call(options, where, header), compiler);
         note_failure(finished, submission, build);
         return compile_mended(submission, finished, compiler_call(options, where, header), compiler, build);
     }

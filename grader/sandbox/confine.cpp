@@ -116,11 +116,11 @@ void refuse_system_calls()
 
 [[noreturn]] void become(Order const& order)
 {
-    set_limits(order);
     become_user(order.uid);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         fail("PR_SET_NO_NEW_PRIVS");
     refuse_system_calls();
+    set_limits(order);  // last: from here on even our own memory is limited
     close_range(unsigned(order.ready) + 1, ~0u, 0);  // what bwrap has left open
     fcntl(order.ready, F_SETFD, FD_CLOEXEC);
     write_all(order.ready, "r", 1);

@@ -1,0 +1,52 @@
+#include "report/formats/format.h"
+
+#include "report/printer.h"
+
+namespace testat {
+namespace {
+constexpr Term input{"Eingabe", "input"};
+constexpr Term measured{"Ergebnis", "measured"};
+constexpr Term expected{"erwartet", "expected"};
+
+std::string in_language(Report const& phrase, Language language)
+{
+    return phrase.at(language == Language::de ? "de" : "en").get<std::string>();
+}
+}  // namespace
+
+std::vector<Format> const& formats()
+{
+    static std::vector<Format> const all{
+        {"csv", "report.csv", true, to_csv},
+        {"gradescope", "results.json", false, to_gradescope},
+        {"junit", "junit.xml", true, to_junit},
+        {"sarif", "report.sarif", true, to_sarif},
+    };
+    return all;
+}
+
+std::string explain_check(Report const& check, Language language)
+{
+    std::string text = in_language(check.at("hint"), language);
+    if (!check.at("worst_input").is_object())
+        return text;
+    auto const& worst = check.at("worst_input");
+    for (auto const& [key, term] :
+         {std::pair("input", input), std::pair("measured", measured), std::pair("expected", expected)})
+        if (worst.contains(key) && worst.at(key).is_string())
+            text += fmt::format("\n{}: {}", say(term, language), worst.at(key).get<std::string>());
+    return text;
+}
+
+std::string explain_function(Report const& function, Language language)
+{
+    std::string text;
+    if (function.contains("mistake"))
+        text = in_language(function.at("mistake"), language);
+    for (auto const& check : function.at("checks"))
+        if (!check.at("passed").get<bool>())
+            return text + (text.empty() ? "" : "\n") + check.at("name").get<std::string>() + ": " +
+                   explain_check(check, language);
+    return text;
+}
+}  // namespace testat

@@ -1,0 +1,54 @@
+#include "report/formats/format.h"
+
+#include "report/printer.h"
+
+namespace testat {
+namespace {
+constexpr Term build_failed{"Die Datei lässt sich nicht übersetzen oder binden", "The file does not compile or link"};
+constexpr Term not_gradable{"Nicht bewertbar; das liegt nicht an der Abgabe", "Not gradable; not the upload's fault"};
+
+std::string output_of(Report const& report, Language language)
+{
+    std::string text;
+    if (!report.at("build").at("ok").get<bool>())
+        text = say(build_failed, language);
+    for (auto const& diagnostic : report.at("build").at("diagnostics"))
+        text +=
+            fmt::format("\n{}:{}: {}: {}", diagnostic.at("file").get<std::string>(), diagnostic.at("line").get<int>(),
+                        diagnostic.at("severity").get<std::string>(), diagnostic.at("message").get<std::string>());
+    return text;
+}
+
+Report test_of(std::string const& name, Report const& function, Language language)
+{
+    return {{"name", name},
+            {"name_format", "text"},
+            {"score", function.at("earned")},
+            {"max_score", function.at("max")},
+            {"status", function.at("verdict") == "correct" ? "passed" : "failed"},
+            {"output", explain_function(function, language)},
+            {"output_format", "text"},
+            {"tags", Report::array({function.at("task")})},
+            {"visibility", "visible"}};
+}
+}  // namespace
+
+std::string to_gradescope(std::vector<NamedReport> const& reports, Language language)
+{
+    Report const& report = reports.at(0).report;
+    Report document = {{"output_format", "text"}, {"visibility", "visible"}, {"stdout_visibility", "hidden"}};
+    document["extra_data"] = {{"submission", report.at("submission")}, {"test_set", report.at("test_set")}};
+    if (report.at("status") != "graded") {
+        document["output"] = fmt::format("{}: {}", say(not_gradable, language), report.at("error").get<std::string>());
+        document["tests"] = Report::array();
+        return to_text(document);
+    }
+    document["score"] = report.at("points").at("earned");
+    document["execution_time"] = report.at("timing").at("total_ms").get<double>() / 1e3;
+    document["output"] = output_of(report, language);
+    document["tests"] = Report::array();
+    for (auto const& [name, function] : report.at("functions").items())
+        document["tests"].push_back(test_of(name, function, language));
+    return to_text(document);
+}
+}  // namespace testat
