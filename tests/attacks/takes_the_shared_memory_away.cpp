@@ -2,6 +2,7 @@
 // Empties, shrinks and moves the memory that it shares with the server: that loses only its own answers.
 #ifndef WITHOUT_ATTACK
 #include <sys/mman.h>
+#include <utility>
 #include <csetjmp>
 #include <csignal>
 #include <unistd.h>
@@ -22,7 +23,9 @@ unsigned* find_board()  // what server and child share: a pointer to it lies on 
 int ImageTexture::wrap_repeat(int val, int size)
 {
 #ifndef WITHOUT_ATTACK
-    if (unsigned* const board = find_board()) {
+    static unsigned* const board = find_board();
+    static bool taken = false;
+    if (board != nullptr && !std::exchange(taken, true)) {
         std::signal(SIGSEGV, SIG_DFL);
         madvise(board, 1 << 20, MADV_REMOVE);
         mremap(board, 1 << 20, 4096, 0);
