@@ -217,6 +217,7 @@ struct BatchCommand {
         command->add_option("--jobs", options.at_once, "So many at a time (default: one for each core)")
             ->check(CLI::Range(1, 256));
         command->add_option("--deadline", options.deadline, "ISO 8601, instead of the rubric's");
+        command->add_option("--assignment", options.assignment, "ILIAS's number of the exercise, for feedback.zip");
         command->add_flag("--no-resume", no_resume, "Grade all of them again");
         command->add_flag("--apply", options.apply, "Write points that change though the files are the same");
         command->add_option("--lang", language, "Language of texts")->check(CLI::IsMember({"de", "en"}));

@@ -1,5 +1,6 @@
 #include "batch/batch.h"
 
+#include "batch/ilias.h"
 #include "batch/overrides.h"
 #include "batch/regrade.h"
 #include "batch/store.h"
@@ -185,6 +186,22 @@ void write_outputs(std::vector<GradedUpload> const& entries, std::string const& 
     write_atomically(options.out / "junit.xml", to_junit(named, options.language));
     write_atomically(options.out / "summary.txt", overview);
 }
+
+/// What goes back to ILIAS, each file as a whole or not at all.
+void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const& title, BatchOptions const& options)
+{
+    auto const write = [&](char const* name, auto const& writer) {
+        fs::path const part = options.out / (std::string(name) + ".part");
+        writer(part);
+        fs::rename(part, options.out / name);
+    };
+    write("feedback.zip", [&](fs::path const& file) {
+        write_feedback_zip(entries, title, options.assignment, options.language, file);
+    });
+    bool const teams =
+        std::any_of(entries.begin(), entries.end(), [](auto const& e) { return !e.upload.team.empty(); });
+    write("status.xlsx", [&](fs::path const& file) { write_status_sheet(entries, teams, options.language, file); });
+}
 }  // namespace
 
 bool batch(BatchOptions const& options)
@@ -206,6 +223,8 @@ bool batch(BatchOptions const& options)
     }
     std::string const overview = summary(entries, intake.remarks, options.language);
     write_outputs(entries, overview, options);
+    if (intake.is_ilias)
+        write_for_ilias(entries, intake.title, options);
     applied.remember(entries);
     std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
     return std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });

@@ -14,9 +14,10 @@ struct BatchOptions {
     std::filesystem::path input;
     std::filesystem::path out;
     std::size_t at_once = 1;
-    std::string deadline;  ///< ISO 8601; empty: the rubric's
-    bool resume = true;    ///< results of before count
-    bool apply = false;    ///< changed points are written
+    std::string deadline;          ///< ISO 8601; empty: the rubric's
+    bool resume = true;            ///< results of before count
+    bool apply = false;            ///< changed points are written
+    std::string assignment = "0";  ///< ILIAS's number of the exercise, for the feedback's zip
     GradeSettings settings;
     Language language = Language::en;
 };
