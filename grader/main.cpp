@@ -1,4 +1,6 @@
 // The command line of testat: what to do and with which exit code to end (DESIGN.md, Commands).
+#include "batch/batch.h"
+#include "diff/diff.h"
 #include "doctor.h"
 #include "grade.h"
 #include "json_schema.h"
@@ -13,11 +15,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <thread>
 
 namespace {
 using namespace testat;
 
-enum Exit { done = 0, wrong_usage = 2, not_gradable = 3, interrupted = 130 };
+enum Exit { done = 0, different = 1, wrong_usage = 2, not_gradable = 3, interrupted = 130 };
 
 /// --lang, else the language of the environment.
 Language language(std::string const& wanted)
@@ -200,14 +203,76 @@ struct StressCommand {
     }
 };
 
+struct BatchCommand {
+    BatchOptions options;
+    std::string language;
+    bool no_resume = false;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("batch", "Grade a download of many uploads");
+        command->add_option("INPUT", options.input, "ILIAS zip, a folder like it, or a folder of files")->required();
+        command->add_option("--out", options.out, "Folder of reports, grades.csv, summary.txt")->required();
+        options.at_once = std::max(1u, std::thread::hardware_concurrency());
+        command->add_option("--jobs", options.at_once, "So many at a time (default: one for each core)")
+            ->check(CLI::Range(1, 256));
+        command->add_option("--deadline", options.deadline, "ISO 8601, instead of the rubric's");
+        command->add_option("--assignment", options.assignment, "ILIAS's number of the exercise, for feedback.zip");
+        command->add_flag("--no-resume", no_resume, "Grade all of them again");
+        command->add_flag("--apply", options.apply, "Write points that change though the files are the same");
+        command->add_option("--lang", language, "Language of texts")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--seed", options.settings.seed, "Seed of the random inputs")
+            ->check(CLI::Range(0.0, 9007199254740991.0))
+            ->capture_default_str();
+        command->add_option("--compiler", options.settings.compiler, "Which compiler builds the files")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        command->add_flag("--lenient", options.settings.lenient, "Leave out the sheet's rules for whole files");
+    }
+
+    int run()
+    {
+        options.resume = !no_resume;
+        options.language = ::language(language);
+        return batch(options) ? done : not_gradable;
+    }
+};
+
+struct DiffCommand {
+    std::string a;
+    std::string b;
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("diff", "Compare two reports or two PNG pictures");
+        command->add_option("A", a, "report.json or picture")->required();
+        command->add_option("B", b, "report.json or picture")->required();
+        command->add_option("--lang", language, "Language of the text")->check(CLI::IsMember({"de", "en"}));
+    }
+
+    int run() const
+    {
+        Difference const difference = diff(a, b, ::language(language));
+        std::cout << difference.text;
+        return difference.same ? done : different;
+    }
+};
+
 struct Commands {
+    BatchCommand batch;
+    DiffCommand diff;
     GradeCommand grade;
     RenderCommand render;
     StressCommand stress;
 };
 
-int run_command(CLI::App const& app, Commands const& commands)
+int run_command(CLI::App const& app, Commands& commands)
 {
+    if (app.got_subcommand("batch"))
+        return commands.batch.run();
+    if (app.got_subcommand("diff"))
+        return commands.diff.run();
     if (app.got_subcommand("stress"))
         return commands.stress.run();
     if (app.got_subcommand("grade"))
@@ -238,6 +303,8 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     app.set_version_flag("--version", installation().version);
     Commands commands;
+    commands.batch.add_to(app);
+    commands.diff.add_to(app);
     commands.grade.add_to(app);
     commands.render.add_to(app);
     commands.stress.add_to(app);

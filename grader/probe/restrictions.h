@@ -8,8 +8,10 @@ namespace testat {
 /// What a child may not do: prepared once by the server, put in force by each child, for ever.
 ///   before the upload is loaded, whose constructors run then: of files, to read the upload only (Landlock); no
 ///   process,
-///     no socket, no memory file, no signal to others: a list of the few system calls that computing needs
-///   after it is loaded: no file at all, and no more code in memory
+///     no socket, no memory file, no signal to others, no code but what is in that file: a list of the few system calls
+///     that computing needs
+///   after it is loaded: no file at all. A constructor can keep this from coming into force, and gains one file by it:
+///     its own
 /// Threads are for the groups that ask for them. Sanitizers need much more than the list, so there nothing is refused.
 class Restrictions {
 public:

@@ -71,4 +71,31 @@ std::string encode_png(Picture const& picture, bool gamma_2_2)
         throw std::runtime_error(std::string("encoding a PNG: ") + spng_strerror(error));
     return {static_cast<char const*>(buffer.get()), size};
 }
+
+bool is_png(std::string const& bytes)
+{
+    return bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0;
+}
+
+Bitmap decode_png(std::string const& bytes)
+{
+    constexpr std::uint32_t longest_side = 1 << 16;
+    constexpr std::size_t most_bytes = std::size_t(256) << 20;
+    std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> const png(spng_ctx_new(0), spng_ctx_free);
+    spng_set_image_limits(png.get(), longest_side, longest_side);
+    spng_ihdr header = {};
+    std::size_t size = 0;
+    Bitmap bitmap;
+    int error = spng_set_png_buffer(png.get(), bytes.data(), bytes.size());
+    error = error != 0 ? error : spng_get_ihdr(png.get(), &header);
+    error = error != 0 ? error : spng_decoded_image_size(png.get(), SPNG_FMT_RGBA8, &size);
+    if (error == 0 && size <= most_bytes) {
+        bitmap = {header.width, header.height, std::vector<std::uint8_t>(size)};
+        error = spng_decode_image(png.get(), bitmap.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
+    }
+    if (error != 0 || bitmap.rgba.empty())
+        throw std::invalid_argument(std::string("a PNG that cannot be read: ") +
+                                    (error != 0 ? spng_strerror(error) : "too large"));
+    return bitmap;
+}
 }  // namespace testat

@@ -7,4 +7,17 @@ std::uint8_t to_8_bits(float value, bool gamma_2_2);
 
 /// An 8-bit RGB PNG, top row first, at fast compression. Throws std::runtime_error if there is no memory for it.
 std::string encode_png(Picture const& picture, bool gamma_2_2);
+
+/// 8 bits for each of four channels, top row first.
+struct Bitmap {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// Whether bytes begin as a PNG does.
+bool is_png(std::string const& bytes);
+
+/// A PNG of any kind. Throws std::invalid_argument if it is damaged, or has more than 64 million pixels.
+Bitmap decode_png(std::string const& bytes);
 }  // namespace testat

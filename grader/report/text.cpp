@@ -119,7 +119,7 @@ private:
 
     void sandbox()
     {
-        if (!report_.at("sandbox").get<bool>())
+        if (!report_.value("sandbox", true))
             line("  {}", wrap(say(no_sandbox), 2));
     }
 

@@ -221,7 +221,7 @@ Finished run_caged(Caged const& caged, uid_t uid)
     std::string const word = ready.read_rest();
     if (word.empty() && !finished.timed_out)
         throw std::runtime_error("the cage for the file could not be put up (see testat doctor): " +
-                                 clean_text(finished.output, 400));
+                                 one_line(finished.output, 400));
     if (word == "rx")
         throw std::runtime_error("cannot run " + caged.command.argv[0] + ": " + clean_text(finished.output, 400));
     if (finished.signal != 0 && !finished.timed_out)
@@ -299,10 +299,11 @@ CageTrouble find_cage_trouble()
             return {"a program in the cage failed", "report this"};
         return {};
     } catch (std::exception const& e) {
-        return {e.what(), geteuid() == 0
-                              ? "run this in a virtual machine, or in a container that may make namespaces"
-                              : "as root: sysctl kernel.unprivileged_userns_clone=1 user.max_user_namespaces=10000; or "
-                                "students, for their own file: --no-sandbox"};
+        return {one_line(e.what()),
+                geteuid() == 0
+                    ? "run this in a virtual machine, or in a container that may make namespaces"
+                    : "as root: sysctl kernel.unprivileged_userns_clone=1 user.max_user_namespaces=10000; or "
+                      "students, for their own file: --no-sandbox"};
     }
 }
 

@@ -120,7 +120,7 @@ void refuse_system_calls()
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         fail("PR_SET_NO_NEW_PRIVS");
     refuse_system_calls();
-    set_limits(order);  // last: from here on even our own memory is limited
+    set_limits(order);                               // last: from here on even our own memory is limited
     close_range(unsigned(order.ready) + 1, ~0u, 0);  // what bwrap has left open
     fcntl(order.ready, F_SETFD, FD_CLOEXEC);
     write_all(order.ready, "r", 1);

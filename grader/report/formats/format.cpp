@@ -8,8 +8,11 @@ constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
 
+/// Empty where a report has no words.
 std::string in_language(Report const& phrase, Language language)
 {
+    if (!phrase.is_object())
+        return "";
     return phrase.at(language == Language::de ? "de" : "en").get<std::string>();
 }
 }  // namespace

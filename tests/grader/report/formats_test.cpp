@@ -150,6 +150,13 @@ TEST(Sarif, PointsToTheCompilersLine)
     EXPECT_EQ(place.at("artifactLocation").at("uri"), "exercise_03.cpp");
 }
 
+TEST(Formats, TakeFilesThatDoNotCompile)
+{
+    Report const report = report_of(passed_results(example_rubric()), mended_build());
+    for (auto const& format : formats())
+        EXPECT_FALSE(format.write({{"anna", report}}, Language::de).empty()) << format.name;
+}
+
 TEST(Sarif, IsEmptyForARightSolution)
 {
     Report const document = Report::parse(to_sarif({{"anna", right_report()}}, Language::en));

@@ -1,0 +1,232 @@
+#include "batch/batch.h"
+
+#include "batch/ilias.h"
+#include "batch/overrides.h"
+#include "batch/regrade.h"
+#include "batch/store.h"
+#include "batch/times.h"
+#include "installation.h"
+#include "json_schema.h"
+#include "progress.h"
+#include "report/formats/format.h"
+#include "rubric/rubric.h"
+#include "text.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+namespace testat {
+namespace {
+constexpr char store_name[] = ".testat";
+
+/// A folder that is empty, not there yet, or a batch's.
+void claim(fs::path const& out)
+{
+    std::error_code error;
+    fs::create_directories(out, error);
+    if (!fs::is_directory(out))
+        throw std::invalid_argument("--out " + out.string() + ": cannot be made: " + error.message());
+    if (!fs::exists(out / store_name) && !fs::is_empty(out))
+        throw std::invalid_argument("--out " + out.string() +
+                                    ": holds other things than a batch; choose an empty or a new folder");
+}
+
+/// Grades files and keeps what comes out. What is not gradable is tried once more.
+class Grading {
+public:
+    Grading(BatchOptions const& options, Store const& store) : options_(options), store_(store) {}
+
+    void grade(std::vector<Job> const& jobs)
+    {
+        Progress progress("Grading", jobs.size());
+        run(jobs, progress);
+        std::vector<Job> again;
+        for (auto const& job : jobs)
+            if (failures_.count(job.key) > 0)
+                again.push_back(job);
+        if (again.empty())
+            return;
+        Progress second("Once more", again.size());
+        run(again, second);
+    }
+
+    /// Why there is no result.
+    std::string failure(std::string const& key) const
+    {
+        auto const found = failures_.find(key);
+        return found == failures_.end() ? "was not graded" : found->second;
+    }
+
+private:
+    void run(std::vector<Job> const& jobs, Progress& progress)
+    {
+        grade_here(jobs, options_.settings, options_.at_once, [&](Job const& job, Finished const& finished) {
+            settle(job, finished);
+            progress.step(one_line(job.name, 40));
+        });
+    }
+
+    void settle(Job const& job, Finished const& finished)
+    {
+        failures_.erase(job.key);
+        if (finished.exit_code == 0)
+            store_.keep(job.key);
+        else
+            failures_[job.key] = reason(job, finished);
+    }
+
+    static std::string reason(Job const& job, Finished const& finished)
+    {
+        try {
+            auto const report = read_json(job.out / "report.json");
+            if (report.contains("error"))
+                return report.at("error").get<std::string>();
+        } catch (std::exception const&) {  // it did not come so far
+        }
+        return one_line(finished.output, 400);
+    }
+
+    BatchOptions const& options_;
+    Store const& store_;
+    std::map<std::string, std::string> failures_;
+};
+
+Report not_gradable_report(Upload const& upload, BatchOptions const& options, std::string const& why)
+{
+    Submission submission;
+    submission.file = upload.file.filename();
+    return make_not_gradable(submission, {read_rubric(installation().rubric).version, "", options.settings.seed}, why);
+}
+
+/// What was found for one content may be another student's file of another name.
+Report as_from(Upload const& upload, Report report)
+{
+    report["submission"]["file"] = one_line(upload.file.filename().string());
+    return report;
+}
+
+std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOptions const& options, Store const& store)
+{
+    auto const& settings = options.settings;
+    GradingBasis const basis = current_basis(settings.compiler, settings.seed, settings.lenient);
+    std::vector<GradedUpload> entries;
+    std::map<std::string, Job> missing;  // identical files are graded once
+    for (auto const& upload : uploads) {
+        std::string const key = Store::key(upload.file, basis);
+        entries.push_back({upload, key, {}});
+        if (!options.resume || !store.find(key))
+            missing.emplace(key, Job{key, upload.student, upload.file, store.begin(key)});
+    }
+    std::vector<Job> jobs;
+    for (auto const& [key, job] : missing)
+        jobs.push_back(job);
+    Grading grading(options, store);
+    if (!jobs.empty())
+        grading.grade(jobs);
+    auto const overrides = read_overrides(options.out / "overrides.json");
+    for (auto& entry : entries) {
+        auto const found = store.find(entry.key);
+        entry.report = found ? apply(overrides, entry.upload.student, as_from(entry.upload, *found))
+                             : not_gradable_report(entry.upload, options, grading.failure(entry.key));
+    }
+    return entries;
+}
+
+/// Links where the file system can, copies elsewhere: pictures are never changed in place.
+void link_or_copy(fs::path const& from, fs::path const& to)
+{
+    std::error_code error;
+    fs::create_hard_link(from, to, error);
+    if (error)
+        fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+}
+
+void write_report(GradedUpload const& entry, fs::path const& results, fs::path const& folder, Language language)
+{
+    fs::path const part = folder.string() + ".part";
+    fs::remove_all(part);
+    fs::create_directories(part / "pictures");
+    if (entry.is_graded() && fs::is_directory(results / entry.key / "pictures"))
+        for (auto const& picture : fs::directory_iterator(results / entry.key / "pictures"))
+            link_or_copy(picture.path(), part / "pictures" / picture.path().filename());
+    write_file(part / "report.json", to_text(entry.report));
+    write_file(part / "report.txt", report_to_text(entry.report, language));
+    write_file(part / "results.json", to_gradescope({{entry.upload.student, entry.report}}, language));
+    fs::remove_all(folder);
+    fs::rename(part, folder);
+}
+
+/// Students who are no longer in the input keep no report.
+void remove_others(std::vector<GradedUpload> const& entries, fs::path const& reports)
+{
+    std::set<std::string> names;
+    for (auto const& entry : entries)
+        names.insert(entry.upload.student);
+    for (auto const& folder : fs::directory_iterator(reports))
+        if (names.count(folder.path().filename().string()) == 0)
+            fs::remove_all(folder.path());
+}
+
+void write_outputs(std::vector<GradedUpload> const& entries, std::string const& overview, BatchOptions const& options)
+{
+    fs::path const reports = options.out / "reports";
+    fs::create_directories(reports);
+    std::vector<NamedReport> named;
+    for (auto const& entry : entries) {
+        write_report(entry, options.out / store_name / "results", reports / entry.upload.student, options.language);
+        named.push_back({entry.upload.student, entry.report});
+    }
+    remove_others(entries, reports);
+    write_atomically(options.out / "grades.csv", grades_table(entries));
+    write_atomically(options.out / "junit.xml", to_junit(named, options.language));
+    write_atomically(options.out / "summary.txt", overview);
+}
+
+/// What goes back to ILIAS, each file as a whole or not at all.
+void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const& title, BatchOptions const& options)
+{
+    auto const write = [&](char const* name, auto const& writer) {
+        fs::path const part = options.out / (std::string(name) + ".part");
+        writer(part);
+        fs::rename(part, options.out / name);
+    };
+    write("feedback.zip", [&](fs::path const& file) {
+        write_feedback_zip(entries, title, options.assignment, options.language, file);
+    });
+    bool const teams =
+        std::any_of(entries.begin(), entries.end(), [](auto const& e) { return !e.upload.team.empty(); });
+    write("status.xlsx", [&](fs::path const& file) { write_status_sheet(entries, teams, options.language, file); });
+}
+}  // namespace
+
+bool batch(BatchOptions const& options)
+{
+    claim(options.out);
+    Store const store(options.out / store_name);
+    TemporaryDirectory const scratch;
+    std::string const deadline =
+        options.deadline.empty() ? read_rubric(installation().rubric).deadline : options.deadline;
+    Intake const intake = take_in(options.input, scratch.path(), parse_deadline(deadline));
+    auto const entries = grade_all(intake.uploads, options, store);
+
+    Applied const applied(options.out / store_name / "applied.json");
+    std::string const changes = applied.changes(entries, options.out / store_name / "results", options.language);
+    if (!changes.empty() && !options.apply) {
+        std::cout << "Points change though the files are the same:\n"
+                  << changes << "Nothing was written; --apply does.\n";
+        return true;
+    }
+    std::string const overview = summary(entries, intake.remarks, options.language);
+    write_outputs(entries, overview, options);
+    if (intake.is_ilias)
+        write_for_ilias(entries, intake.title, options);
+    applied.remember(entries);
+    std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
+    return std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });
+}
+}  // namespace testat

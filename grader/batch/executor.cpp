@@ -1,0 +1,65 @@
+#include "batch/executor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace testat {
+namespace {
+std::vector<std::string> variables()
+{
+    char const* const folder = std::getenv("TMPDIR");
+    return folder == nullptr ? std::vector<std::string>() : std::vector<std::string>{std::string("TMPDIR=") + folder};
+}
+}  // namespace
+
+std::vector<std::string> grade_command(Job const& job, GradeSettings const& settings)
+{
+    std::vector<std::string> command{std::filesystem::canonical(settings.program),
+                                     "grade",
+                                     "--out",
+                                     job.out,
+                                     "--seed",
+                                     std::to_string(settings.seed),
+                                     "--compiler",
+                                     settings.compiler};
+    if (settings.lenient)
+        command.emplace_back("--lenient");
+    command.emplace_back("--");
+    command.emplace_back(std::filesystem::absolute(job.file));
+    return command;
+}
+
+void grade_here(std::vector<Job> const& jobs, GradeSettings const& settings, std::size_t at_once, JobEnded const& ended)
+{
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    auto const work = [&] {
+        try {
+            for (std::size_t i = next++; i < jobs.size(); i = next++) {
+                Command command;
+                command.argv = grade_command(jobs[i], settings);
+                command.variables = variables();
+                Finished const finished = run(command);
+                std::lock_guard<std::mutex> const lock(mutex);
+                ended(jobs[i], finished);
+            }
+        } catch (...) {
+            next = jobs.size();
+            std::lock_guard<std::mutex> const lock(mutex);
+            failure = std::current_exception();
+        }
+    };
+    std::vector<std::thread> workers;
+    for (std::size_t i = 0; i < std::min(at_once, jobs.size()); ++i)
+        workers.emplace_back(work);
+    for (auto& worker : workers)
+        worker.join();
+    if (failure)
+        std::rethrow_exception(failure);
+}
+}  // namespace testat

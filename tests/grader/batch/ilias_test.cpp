@@ -1,0 +1,94 @@
+#include "batch/ilias.h"
+
+#include "batch/archive.h"
+#include "example_grading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace testat {
+namespace {
+Report example_report()
+{
+    Rubric const rubric = example_rubric();
+    CheckResults const results = passed_results(rubric);
+    Build const build = whole_build();
+    return make_report({}, build, results, score(results, build, rubric, false), rubric, {"1", "", 1}, {}, {});
+}
+
+std::vector<GradedUpload> example_entries()
+{
+    GradedUpload anna, bert, team;
+    anna.upload.student = "Müller_Anna_am_12";
+    anna.report = example_report();
+    bert.upload.student = "Bert_B_bb_13";
+    bert.report = make_not_gradable({}, {"1", "", 1}, "no disk");
+    team.upload.student = "C_C_cc_14";
+    team.upload.team = "3";
+    team.upload.members = {"C_C_cc_14", "D_D_dd_15"};
+    team.report = example_report();
+    return {anna, bert, team};
+}
+
+std::string bytes_of(std::filesystem::path const& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> names_in(std::filesystem::path const& zip)
+{
+    TemporaryDirectory const place;
+    std::vector<std::string> names;
+    for (auto const& entry : unpack(zip, place.path() / "unpacked").entries)
+        names.push_back(entry.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+}  // namespace
+
+TEST(FeedbackZip, HasAFileForEveryGradedStudentAndMember)
+{
+    TemporaryDirectory const place;
+    auto const zip = place.path() / "feedback.zip";
+    write_feedback_zip(example_entries(), "Übung 3", "77", Language::de, zip);
+    std::string const top = "multi_feedback_Übung_3_77/";
+    EXPECT_EQ(names_in(zip), (std::vector<std::string>{top + "C_C_cc_14/testat.txt", top + "D_D_dd_15/testat.txt",
+                                                       top + "Müller_Anna_am_12/testat.txt"}));
+}
+
+TEST(FeedbackZip, IsTheSameTwice)
+{
+    TemporaryDirectory const place;
+    for (char const* name : {"a.zip", "b.zip"})
+        write_feedback_zip(example_entries(), "x", "0", Language::en, place.path() / name);
+    EXPECT_EQ(bytes_of(place.path() / "a.zip"), bytes_of(place.path() / "b.zip"));
+}
+
+TEST(FeedbackZip, SaysThatItCannotBeWritten)
+{
+    EXPECT_THROW(write_feedback_zip(example_entries(), "x", "0", Language::en, "/no/such/folder/a.zip"),
+                 std::runtime_error);
+}
+
+TEST(StatusSheet, IsTheSameTwiceAndDiffersForTeams)
+{
+    TemporaryDirectory const place;
+    auto const sheet = [&](char const* name, bool teams) {
+        write_status_sheet(example_entries(), teams, Language::en, place.path() / name);
+        return bytes_of(place.path() / name);
+    };
+    std::string const students = sheet("a.xlsx", false);
+    EXPECT_EQ(students, sheet("b.xlsx", false));
+    EXPECT_NE(students, sheet("c.xlsx", true));
+}
+
+TEST(IliasStatus, IsNotGradedForOurFaults)
+{
+    EXPECT_EQ(ilias_status(example_report()), "passed");
+    EXPECT_EQ(ilias_status(make_not_gradable({}, {"1", "", 1}, "no disk")), "notgraded");
+}
+}  // namespace testat
