@@ -1,5 +1,5 @@
-// attack: {"at": "load", "earns": [15, 19], "says": {"*": "any"}}
-// Replaces the framework's get_texel while it is loaded, so that nobody asks for wrapping: the unit checks do.
+// attack: {"at": "load", "earns": [19, 19], "says": {"wrap_repeat": "wrong"}}
+// Replaces the framework's get_texel while it is loaded, so that nobody asks for wrapping: code stays as it is.
 #ifndef WITHOUT_ATTACK
 #include <cstdint>
 #include <cstring>
