@@ -154,7 +154,7 @@ void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
     add("SquareAverages", ask({TestTexture::mip_small, TestTexture::mip_square}), judge_by(mipmap_deviation));
     add("NonSquare",
         ask({TestTexture::mip_pair, TestTexture::mip_wide, TestTexture::mip_high, TestTexture::mip_row,
-             TestTexture::mip_column, TestTexture::mip_single}),
+             TestTexture::mip_column, TestTexture::mip_single, TestTexture::mip_long}),
         judge_by(mipmap_deviation));
     add("LinearInTheTexture", ask_means, judge_means);
 }

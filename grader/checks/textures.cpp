@@ -140,8 +140,11 @@ Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
     textures.push_back(with_levels(16, 64, Wrap::repeat, noisy));
     for (Wrap const wrap : {Wrap::repeat, Wrap::clamp, Wrap::zero})
         textures.push_back(with_levels(16, 16, wrap, stripes));
+    Random long_ones(seed, "long textures");
+    textures.push_back(with_levels(512, 2, Wrap::repeat, noise(long_ones)));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
+    textures.push_back(level_zero_only(1, 1024, noise(long_ones)));
     Random unknown(seed, std::string("unknown textures").append(upload_sha256));
     add_unknown_textures(unknown, textures);
     return textures;

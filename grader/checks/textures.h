@@ -21,6 +21,7 @@ enum class TestTexture : std::uint32_t {
     stripes,                ///< 16 x 16, repeat; r and g change along s only, b and a along t only
     stripes_clamp,          ///< 16 x 16, clamp, the same
     stripes_zero,           ///< 16 x 16, zero outside, the same
+    noise_long,             ///< 512 x 2, repeat: ten levels, more than any other
     mip_small,              ///< 8 x 8, level 0 only, as all that follow
     mip_square,             ///< 64 x 64
     mip_wide,               ///< 32 x 8
@@ -29,6 +30,7 @@ enum class TestTexture : std::uint32_t {
     mip_column,             ///< 1 x 16
     mip_pair,               ///< 2 x 1
     mip_single,             ///< 1 x 1
+    mip_long,               ///< 1 x 1024
     unknown_mip,            ///< 64 x 64; depends on the upload, as all that follow
     unknown_mip_mean,       ///< the mean of mip_square and unknown_mip, texel by texel
     unknown,                ///< 32 x 32, all levels, as all that follow unless they say something else
