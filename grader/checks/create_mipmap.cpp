@@ -156,6 +156,6 @@ void add_create_mipmap_checks(std::vector<UnitCheck>& checks)
         ask({TestTexture::mip_pair, TestTexture::mip_wide, TestTexture::mip_high, TestTexture::mip_row,
              TestTexture::mip_column, TestTexture::mip_single, TestTexture::mip_long}),
         judge_by(mipmap_deviation));
-    add("LinearInTheTexture", ask_means, judge_means);
+    checks.push_back({"CreateMipmap.LinearInTheTexture", Function::create_mipmap, ask_means, judge_means, true});
 }
 }  // namespace testat
