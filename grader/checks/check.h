@@ -53,8 +53,8 @@ struct UnitCheck {
     bool is_metamorphic = false;
 };
 
-/// Every unit check, in the order of the sheet. All but the metamorphic ones, and those of mip levels, ask as many
-/// questions again that depend on the upload, so that a table of known answers is worth nothing in any of them.
+/// Every unit check, in the order of the sheet. All but the metamorphic ones ask as many questions again that depend
+/// on the upload, or of unknown textures, so that a table of known answers is worth nothing in any of them.
 std::vector<UnitCheck> const& unit_checks();
 
 /// Judges question by question: `deviation(question, index)` for each.

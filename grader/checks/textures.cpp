@@ -101,6 +101,8 @@ void add_unknown_textures(Random& random, Textures& textures)
     TextureData const both = mean(at(textures, TestTexture::noise_square), unknown);
     textures.push_back(unknown_mip);
     textures.push_back(mean(at(textures, TestTexture::mip_square), unknown_mip));
+    textures.push_back(level_zero_only(16, 4, noisy));
+    textures.push_back(level_zero_only(2, 16, noisy));
     textures.push_back(unknown);
     textures.push_back(mirrored(both));
     textures.push_back(without_level_zero(mirrored(both)));

@@ -34,6 +34,8 @@ enum class TestTexture : std::uint32_t {
     bright,                 ///< 32 x 32, colours up to 4, alpha 1
     unknown_mip,            ///< 64 x 64; depends on the upload, as all that follow
     unknown_mip_mean,       ///< the mean of mip_square and unknown_mip, texel by texel
+    unknown_mip_wide,       ///< 16 x 4
+    unknown_mip_high,       ///< 2 x 16
     unknown,                ///< 32 x 32, all levels, as all that follow unless they say something else
     unknown_mean_mirrored,  ///< the mean of noise_square and unknown, mirrored along both axes
     unknown_mean_coarser,   ///< the same from level 1 on: 16 x 16

