@@ -51,7 +51,8 @@ struct Build {
     FunctionSet untouched;          ///< functions whose bodies are still the template's
     std::map<Function, SourceExcerpt> sources;
     std::map<Function, Diagnostic> broken;  ///< functions that keep the file from compiling, with their first error
-    bool mended = false;  ///< does not compile; the library is that of the file without the broken functions
+    std::vector<Diagnostic> left_out;       ///< first errors of other declarations that keep it from compiling
+    bool mended = false;                    ///< does not compile; the library is that of the file without all these
     double ms = 0;
 
     /// What can be called and is worth asking.
@@ -184,7 +185,7 @@ struct FunctionGrade {
 /// What the file earns.
 struct Grade {
     std::vector<FunctionGrade> functions;   ///< as in the rubric
-    std::vector<FunctionGrade> unofficial;  ///< what those that are not broken would earn, if any is broken
+    std::vector<FunctionGrade> unofficial;  ///< what those that are not broken would earn, if the file is
     double earned = 0;                      ///< after policy
     double earned_without = 0;              ///< the sum of the functions
     double max = 0;

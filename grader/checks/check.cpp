@@ -1,5 +1,6 @@
 #include "checks/check.h"
 
+#include "checks/relations.h"
 #include "checks/vectors.h"
 
 #include <fmt/format.h>
@@ -159,6 +160,9 @@ std::vector<UnitCheck> const& unit_checks()
         add_transform_checks(checks);
         add_intersect_checks(checks);
         add_tangent_space_checks(checks);
+        for (auto& check : checks)
+            if (!check.is_metamorphic && check.function != Function::create_mipmap)
+                check.ask = twice(check.name, check.ask);
         return checks;
     }();
     return all;

@@ -50,9 +50,11 @@ struct UnitCheck {
     Function function;
     std::function<Group(Random&, Textures const&)> ask;  ///< fills kind, count, questions and words_per_answer
     std::function<Verdict(Answers const&, Textures const&)> judge;
+    bool is_metamorphic = false;
 };
 
-/// Every unit check, in the order of the sheet.
+/// Every unit check, in the order of the sheet. All but the metamorphic ones ask as many questions again that depend
+/// on the upload, or of unknown textures, so that a table of known answers is worth nothing in any of them.
 std::vector<UnitCheck> const& unit_checks();
 
 /// Judges question by question: `deviation(question, index)` for each.

@@ -29,8 +29,8 @@ Group ask_centres(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions{ask_at(TestTexture::noise_square, textures, 0, {1.5, 1.5})};
     for (int i = 1; i < questions_each; ++i)
-        questions.push_back(
-            ask_at(TestTexture::noise_square, textures, 0, {random.integer(1, 30) + 0.5, random.integer(1, 30) + 0.5}));
+        questions.push_back(ask_at(i % 8 == 7 ? TestTexture::bright : TestTexture::noise_square, textures, 0,
+                                   {random.integer(1, 30) + 0.5, random.integer(1, 30) + 0.5}));
     return make_group(Kind::lookup, questions);
 }
 

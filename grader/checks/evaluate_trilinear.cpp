@@ -23,37 +23,44 @@ LookupQuestion ask_footprint(Random& random, Textures const& textures, TestTextu
     return q;
 }
 
-/// The textures take turns, so that what is remembered of one is wrong for the other.
+/// The textures take turns, so that what is remembered of one is wrong for the other. `footprint` is asked for a side
+/// in texels, or both, of question i on a texture with this last level.
 template <typename Footprint>
 auto ask(std::vector<TestTexture> const& which, Footprint const& footprint, Place place = Place::inside)
 {
     return [=](Random& random, Textures const& textures) {
         std::vector<LookupQuestion> questions;
-        for (std::size_t i = 0; i < questions_each; ++i)
+        for (std::size_t i = 0; i < questions_each; ++i) {
+            TestTexture const texture = which[i % which.size()];
+            double const last = double(at(textures, texture).levels.size()) - 1;
             questions.push_back(
-                ask_footprint(random, textures, which[i % which.size()], place, footprint(random, int(i))));
+                ask_footprint(random, textures, texture, place, glm::dvec2(footprint(random, int(i), last))));
+        }
         return make_group(Kind::lookup, questions);
     };
 }
 
-/// T between the first level and the last, and a few whole numbers.
-glm::dvec2 between_levels(Random& random, int i)
+/// T from the first level to the last but one, and a few whole numbers. Where the levels end is for others to ask.
+double between_levels(Random& random, int i, double last)
 {
-    double const t = i % 8 == 0 ? random.integer(1, 4) : random.uniform(0.05, 4.95);
-    return glm::dvec2(std::exp2(t));
+    return std::exp2(i % 8 == 0 ? random.integer(1, 4) : random.uniform(0.05, last - 1.05));
 }
 
 /// The larger side decides, whichever it is; the other may be anything, zero included.
-glm::dvec2 unequal(Random& random, int i)
+glm::dvec2 unequal(Random& random, int i, double last)
 {
-    double const larger = std::exp2(random.uniform(0.5, 4.9));
+    double const larger = std::exp2(random.uniform(0.5, last - 1.1));
     double const smaller = i % 8 == 0 ? 0 : larger * random.uniform(0.05, 0.6);
     return random.coin() ? glm::dvec2(larger, smaller) : glm::dvec2(smaller, larger);
 }
 
-glm::dvec2 magnified(Random& random, int i)
+/// At most one texel; now and then exactly one, or a little more.
+double magnified(Random& random, int i)
 {
-    return glm::dvec2(i % 8 == 0 ? 1 : std::exp2(random.uniform(-12, 0)));
+    constexpr double just_above[] = {1.003, 1.01, 1.04, 1.1};
+    if (i % 16 == 8)
+        return just_above[i / 16 % int(std::size(just_above))];
+    return i % 16 == 0 ? 1 : std::exp2(random.uniform(-12, 0));
 }
 
 /// The first four exactly in the corners of the unit square.
@@ -62,7 +69,7 @@ Group ask_magnified(Random& random, Textures const& textures)
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < int(questions_each); ++i) {
         LookupQuestion q =
-            ask_footprint(random, textures, TestTexture::noise_square, Place::inside, magnified(random, i));
+            ask_footprint(random, textures, TestTexture::noise_square, Place::inside, glm::dvec2(magnified(random, i)));
         if (i < 4)
             store(glm::dvec2(i % 2, i / 2), q.uv);
         questions.push_back(q);
@@ -70,17 +77,24 @@ Group ask_magnified(Random& random, Textures const& textures)
     return make_group(Kind::lookup, questions);
 }
 
-glm::dvec2 beyond(Random& random, int)
+/// Exactly the last level, and up to there from where BetweenLevels ends.
+double last_level(Random& random, int i, double last)
 {
-    return glm::dvec2(32 * std::exp2(random.uniform(0.05, 10)));
+    return std::exp2(i / 2 % 2 == 0 ? last : random.uniform(4.05, last - 0.05));
+}
+
+double beyond(Random& random, int, double last)
+{
+    return std::exp2(last + random.uniform(0.05, 10));
 }
 
 /// A lookup between levels, and its mirror image in the mirrored mean without level 0: there each level is one lower,
-/// and so is T. In multiples of 2^-16, uv is exact when it is mirrored.
+/// and so is T, which is far from whole numbers, where mistakes begin. In multiples of 2^-16, uv is exact when
+/// mirrored.
 MeanOfTextures mirror_without_level_zero(Random& random, Textures const& textures)
 {
     glm::dvec2 const uv(random.integer(1, 0xffff) * 0x1p-16, random.integer(1, 0xffff) * 0x1p-16);
-    glm::dvec2 const footprint(std::exp2(random.uniform(1.05, 4.95)));
+    glm::dvec2 const footprint(std::exp2(random.integer(1, 4) + random.uniform(0.3, 0.7)));
     glm::dvec2 const dudv = footprint / glm::dvec2(level_size(at(textures, TestTexture::unknown), 0));
     MeanOfTextures relation{};
     constexpr TestTexture which[] = {TestTexture::noise_square, TestTexture::unknown,
@@ -110,14 +124,15 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
         checks.push_back({std::string("EvaluateTrilinear.") + name, Function::evaluate_trilinear, asked,
                           judge_by(trilinear_deviation)});
     };
-    auto const constant = [](double texels) { return [=](Random&, int) { return glm::dvec2(texels); }; };
+    auto const nothing = [](Random&, int, double) { return 0.0; };
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));
     add("LargerSideDecides",
         ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square}, unequal, Place::anywhere));
     add("Magnified", ask_magnified);
-    add("NoFootprint", ask({TestTexture::noise_square}, constant(0)));
-    add("LastLevel", ask({TestTexture::noise_square}, constant(32)));
-    add("BeyondTheLastLevel", ask({TestTexture::noise_square, TestTexture::mip_single}, beyond));
+    add("NoFootprint", ask({TestTexture::noise_square}, nothing));
+    add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long}, last_level));
+    add("BeyondTheLastLevel",
+        ask({TestTexture::noise_square, TestTexture::mip_single, TestTexture::noise_long}, beyond));
     checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
                                        mirror_without_level_zero, compare_mean));
 }

@@ -112,6 +112,28 @@ IntersectQuestion ask_hit(Random& random)
                          inside ? aim_from_inside(random, shape) : aim(random, shape, true));
 }
 
+/// At a distance of half a thousandth, or of some thousand, in the world. Not of spheres: of one so far away a float
+/// says neither hit nor miss.
+IntersectQuestion ask_near_or_far_hit(Random& random)
+{
+    double const t = random.coin() ? 5e-4 : random.uniform(2e3, 1e4);
+    for (;;) {
+        Shape const shape = random_shape(random);
+        glm::dmat4 const transform = random_transform(random);
+        glm::dvec3 const direction = random_direction(random);
+        double const in_object_space = t / glm::length(glm::dmat3(transform) * direction);
+        Line const ray{random_target(random, shape, true) - direction * in_object_space, direction};
+        auto const met = shape.kind == ShapeKind::sphere ? std::nullopt : meet(shape, ray);
+        if (met && met->cosine > 0.3)
+            return make_question(shape, transform, ray);
+    }
+}
+
+IntersectQuestion ask_hit_at_any_distance(Random& random)
+{
+    return random.integer(0, 7) == 0 ? ask_near_or_far_hit(random) : ask_hit(random);
+}
+
 IntersectQuestion ask_hit_or_miss(Random& random)
 {
     Shape const shape = random_shape(random);
@@ -303,7 +325,7 @@ void add_intersect_checks(std::vector<UnitCheck>& checks)
         checks.push_back({std::string("Intersect.") + name, Function::intersect, ask(make), judge_by(oracle)});
     };
     add("HitsAndMisses", ask_hit_or_miss, deviation<Judged::hit>);
-    add("DistanceInTheWorld", ask_hit, deviation<Judged::distance>);
+    add("DistanceInTheWorld", ask_hit_at_any_distance, deviation<Judged::distance>);
     add("PlaceInTheWorld", ask_hit, deviation<Judged::place>);
     add("TransformsOff", ask_untransformed, intersect_deviation);
     checks.push_back(metamorphic_check("Intersect.MovedScene", Function::intersect, Kind::intersect, move_scene,

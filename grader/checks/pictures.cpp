@@ -34,6 +34,23 @@ bool small_levels_differ(Picture const& picture, Envelope const& envelope)
     return false;
 }
 
+/// Levels that are not there, or of another size, are drawn as NaN.
+bool lacks_level(Picture const& picture)
+{
+    auto const is_drawn = [&](LevelPlace const& place) {
+        for (int y = 0; y < place.size.y; ++y)
+            for (int x = 0; x < place.size.x; ++x)
+                if (!std::isnan(
+                        picture.rgb[3 * std::size_t((place.corner.y + y) * picture.width + place.corner.x + x)]))
+                    return true;
+        return false;
+    };
+    for (int level = 0; level < checker_levels; ++level)
+        if (!is_drawn(place_of_level(level)))
+            return true;
+    return false;
+}
+
 void measure_error(Picture const& picture, Picture const& expected, Comparison& comparison)
 {
     double sum = 0;
@@ -67,7 +84,8 @@ Comparison compare_picture(std::string const& name, Picture const& picture, Enve
     comparison.outside = count_outside(picture, envelope);
     bool const strict = name == miplevels && small_levels_differ(picture, envelope);
     comparison.limit = strict ? 0 : std::max<std::size_t>(4, std::size_t(1e-4 * double(all)));
-    comparison.score = picture_score(comparison.outside, comparison.limit, all);
+    bool const incomplete = name == miplevels && lacks_level(picture);
+    comparison.score = incomplete ? 0 : picture_score(comparison.outside, comparison.limit, all);
     measure_error(picture, envelope.expected, comparison);
     return comparison;
 }

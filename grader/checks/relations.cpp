@@ -36,6 +36,19 @@ Deviation variety(Answers const& answers, std::vector<std::uint32_t> const& plac
             fmt::format("more than {} different answers", places.size() / 2)};
 }
 
+std::function<Group(Random&, Textures const&)> twice(std::string const& name,
+                                                     std::function<Group(Random&, Textures const&)> const& ask)
+{
+    return [=](Random& known, Textures const& textures) {
+        Group group = ask(known, textures);
+        Random unknown = unknown_stream(textures, name);
+        Group const more = ask(unknown, textures);
+        group.count += more.count;
+        group.questions.insert(group.questions.end(), more.questions.begin(), more.questions.end());
+        return group;
+    };
+}
+
 Deviation worst_of(std::initializer_list<Deviation> deviations)
 {
     Deviation worst;

@@ -18,6 +18,10 @@ std::vector<std::uint32_t> unknown_order(Textures const& textures, std::size_t c
 /// Wrong if no more than half of the answers at these places differ from each other: a constant fits many relations.
 Deviation variety(Answers const& answers, std::vector<std::uint32_t> const& places);
 
+/// What `ask` asks, and the same from the stream of an unknown texture.
+std::function<Group(Random&, Textures const&)> twice(std::string const& name,
+                                                     std::function<Group(Random&, Textures const&)> const& ask);
+
 /// The worst of them; NaN is worse than all.
 Deviation worst_of(std::initializer_list<Deviation> deviations);
 
@@ -84,6 +88,6 @@ UnitCheck metamorphic_check(std::string const& name, Function function, Kind kin
             verdict.offer(relations.order[0], varied(answers, relations.first_places()));
         return verdict;
     };
-    return {name, function, ask, judge};
+    return {name, function, ask, judge, true};
 }
 }  // namespace testat

@@ -33,6 +33,16 @@ Colour noise(Random& random)
     };
 }
 
+Colour opaque(Colour const& colour)
+{
+    return [=](int level, int x, int y) { return glm::vec4(glm::vec3(colour(level, x, y)), 1.f); };
+}
+
+Colour brighter(Colour const& colour)
+{
+    return [=](int level, int x, int y) { return 4.f * colour(level, x, y); };
+}
+
 /// Any two neighbours differ by at least a quarter, also across the seam.
 float stripe(int i)
 {
@@ -43,7 +53,7 @@ float stripe(int i)
 
 glm::vec4 stripes(int, int x, int y)
 {
-    return {stripe(x), stripe(15 - x), stripe(y), stripe(15 - y)};
+    return {stripe(x), stripe(15 - x), stripe(y), 1.f};
 }
 
 /// As `like`, with other colours.
@@ -91,6 +101,8 @@ void add_unknown_textures(Random& random, Textures& textures)
     TextureData const both = mean(at(textures, TestTexture::noise_square), unknown);
     textures.push_back(unknown_mip);
     textures.push_back(mean(at(textures, TestTexture::mip_square), unknown_mip));
+    textures.push_back(level_zero_only(16, 4, noisy));
+    textures.push_back(level_zero_only(2, 16, noisy));
     textures.push_back(unknown);
     textures.push_back(mirrored(both));
     textures.push_back(without_level_zero(mirrored(both)));
@@ -126,7 +138,7 @@ glm::vec4 coded(int level, int x, int y)
 Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
 {
     Random random(seed, "textures");
-    glm::vec4 const one_colour = noise(random)(0, 0, 0) + 0.125f;
+    glm::vec4 const one_colour = opaque(noise(random))(0, 0, 0) + glm::vec4(0.125f, 0.125f, 0.125f, 0.f);
     auto const constant = [=](int, int, int) { return one_colour; };
     auto const noisy = noise(random);
     Textures textures;
@@ -135,13 +147,17 @@ Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
     textures.push_back(with_levels(32, 8, Wrap::zero, coded));
     textures.push_back(with_levels(32, 8, Wrap::clamp, coded));
     textures.push_back(with_levels(8, 8, Wrap::repeat, constant));
-    textures.push_back(with_levels(32, 32, Wrap::repeat, noisy));
+    textures.push_back(with_levels(32, 32, Wrap::repeat, opaque(noisy)));
     textures.push_back(with_levels(64, 16, Wrap::repeat, noisy));
     textures.push_back(with_levels(16, 64, Wrap::repeat, noisy));
     for (Wrap const wrap : {Wrap::repeat, Wrap::clamp, Wrap::zero})
         textures.push_back(with_levels(16, 16, wrap, stripes));
+    Random more(seed, "more textures");
+    textures.push_back(with_levels(512, 2, Wrap::repeat, noise(more)));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
+    textures.push_back(level_zero_only(1, 1024, brighter(noise(more))));
+    textures.push_back(level_zero_only(32, 32, opaque(brighter(noise(more)))));
     Random unknown(seed, std::string("unknown textures").append(upload_sha256));
     add_unknown_textures(unknown, textures);
     return textures;

@@ -14,13 +14,14 @@ enum class TestTexture : std::uint32_t {
     coded_wide,             ///< 32 x 8, repeat, the same
     coded_wide_zero,        ///< 32 x 8, zero outside, the same
     coded_wide_clamp,       ///< 32 x 8, clamp, the same
-    constant,               ///< 8 x 8, one colour on every level
-    noise_square,           ///< 32 x 32, repeat
+    constant,               ///< 8 x 8, one colour on every level, alpha 1
+    noise_square,           ///< 32 x 32, repeat, alpha 1
     noise_wide,             ///< 64 x 16, repeat
     noise_high,             ///< 16 x 64, repeat
-    stripes,                ///< 16 x 16, repeat; r and g change along s only, b and a along t only
+    stripes,                ///< 16 x 16, repeat; r and g change along s only, b along t only, alpha 1
     stripes_clamp,          ///< 16 x 16, clamp, the same
     stripes_zero,           ///< 16 x 16, zero outside, the same
+    noise_long,             ///< 512 x 2, repeat: ten levels, more than any other
     mip_small,              ///< 8 x 8, level 0 only, as all that follow
     mip_square,             ///< 64 x 64
     mip_wide,               ///< 32 x 8
@@ -29,8 +30,12 @@ enum class TestTexture : std::uint32_t {
     mip_column,             ///< 1 x 16
     mip_pair,               ///< 2 x 1
     mip_single,             ///< 1 x 1
+    mip_long,               ///< 1 x 1024, colours up to 4
+    bright,                 ///< 32 x 32, colours up to 4, alpha 1
     unknown_mip,            ///< 64 x 64; depends on the upload, as all that follow
     unknown_mip_mean,       ///< the mean of mip_square and unknown_mip, texel by texel
+    unknown_mip_wide,       ///< 16 x 4
+    unknown_mip_high,       ///< 2 x 16
     unknown,                ///< 32 x 32, all levels, as all that follow unless they say something else
     unknown_mean_mirrored,  ///< the mean of noise_square and unknown, mirrored along both axes
     unknown_mean_coarser,   ///< the same from level 1 on: 16 x 16

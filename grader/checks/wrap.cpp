@@ -27,7 +27,7 @@ int clamp(int val, int size)
 
 int any_size(Random& random)
 {
-    constexpr int sizes[] = {1, 2, 3, 5, 6, 7, 8, 64, 100, 1024};
+    constexpr int sizes[] = {1, 2, 3, 5, 6, 7, 8, 64, 100, 1024, 3000, 16384};
     return sizes[random.integer(0, int(std::size(sizes)) - 1)];
 }
 

@@ -210,6 +210,7 @@ void compile_mended(Submission const& submission, Finished const& failed, Argume
     build.mended = true;
     build.library = library;
     build.broken = mended->broken;
+    build.left_out = mended->left_out;
     build.untouched = same_bodies(mended->text, text_of(compiler.where.exercise_template));
     take_symbols(symbols, build);
 }

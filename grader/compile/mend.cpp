@@ -86,6 +86,26 @@ std::optional<Culprit> find_culprit(FirstError const& first, std::string_view te
     return find_by_name(first, definitions);
 }
 
+/// Leaves out the declaration that an error lies in, unless one of the eleven is part of it.
+bool cut_declaration(FirstError const& first, Mended& mended)
+{
+    constexpr std::size_t most = 8;
+    auto const definitions = recover_definitions(mended.text);
+    for (int const line : first.lines) {
+        Extent const found = find_declaration(mended.text, line);
+        bool const overlaps = std::any_of(definitions.begin(), definitions.end(), [&](Definition const& d) {
+            return d.begin < found.end && found.begin < d.end;
+        });
+        if (found.end == 0 || overlaps || mended.left_out.size() == most)
+            continue;
+        blank(mended.text, found.begin, found.end);
+        mended.left_out.push_back(first.error);
+        mended.left_out.back().line = line;
+        return true;
+    }
+    return false;
+}
+
 /// Whether the directive that begins at `at` is #line, or # with a number, which means the same.
 bool is_line_directive(std::string_view text, std::size_t at)
 {
@@ -136,19 +156,24 @@ std::optional<Mended> mend(std::string const& text, Finished const& failed, std:
 {
     if (failed.timed_out || failed.signal != 0)
         return std::nullopt;
-    Mended mended{without_line_directives(text), {}};
+    Mended mended{without_line_directives(text), {}, {}};
     Finished last = mended.text == text ? failed : compile(mended.text);
     while (last.exit_code != 0) {
         if (last.timed_out || last.signal != 0)
             return std::nullopt;
         auto const first = find_first_error(last.output, source, shown);
-        auto const culprit = first ? find_culprit(*first, mended.text) : std::nullopt;
-        if (!culprit || !mended.broken.emplace(culprit->function, culprit->error).second)
+        if (!first)
             return std::nullopt;
-        leave_out(mended.text, culprit->function);
+        if (auto const culprit = find_culprit(*first, mended.text)) {
+            if (!mended.broken.emplace(culprit->function, culprit->error).second)
+                return std::nullopt;
+            leave_out(mended.text, culprit->function);
+        } else if (!cut_declaration(*first, mended)) {
+            return std::nullopt;
+        }
         last = compile(mended.text);
     }
-    if (mended.broken.empty())
+    if (mended.broken.empty() && mended.left_out.empty())
         return std::nullopt;
     return mended;
 }

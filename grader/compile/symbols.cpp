@@ -76,14 +76,28 @@ Diagnostic error(std::string const& file, std::string const& message)
     return {file, 0, 0, "error", message};
 }
 
+/// With the framework's names for vectors and matrices.
+std::string as_written(std::string declaration)
+{
+    auto const replace = [&](std::string const& long_name, std::string const& name) {
+        for (std::size_t at = 0; (at = declaration.find(long_name, at)) != std::string::npos;)
+            declaration.replace(at, long_name.size(), name);
+    };
+    for (std::string const n : {"2", "3", "4"}) {
+        replace("glm::vec<" + n + ", float, (glm::qualifier)0>", "glm::vec" + n);
+        replace("glm::mat<" + n + ", " + n + ", float, (glm::qualifier)0>", "glm::mat" + n);
+    }
+    return declaration;
+}
+
 std::string explain_missing(Function f, std::vector<Symbol> const& symbols)
 {
-    std::string const wanted = demangle(std::string(info(f).symbol));
+    std::string const wanted = as_written(demangle(std::string(info(f).symbol)));
     for (auto const& symbol : symbols)
         if (std::string const found = demangle(symbol.name); declares(found, info(f).name))
-            return "undefined reference: " + wanted + " is missing; the file defines " + found +
+            return wanted + " is missing; the file defines " + as_written(found) +
                    " instead (the declaration was changed)";
-    return "undefined reference: " + wanted + " is missing";
+    return wanted + " is missing";
 }
 }  // namespace
 
@@ -98,8 +112,8 @@ SymbolReport check_symbols(std::filesystem::path const& library, std::string con
             if (symbol.name == info(f).symbol && (is_strong(symbol) || symbol.type == 'W'))
                 report.defined = report.defined.with(f);
         if (is_strong(symbol) && (taken.count(symbol.name) > 0 || symbol.name == "main"))
-            report.duplicates.push_back(
-                error(shown, "multiple definition: " + demangle(symbol.name) + " is part of the framework already"));
+            report.duplicates.push_back(error(shown, "multiple definition: " + as_written(demangle(symbol.name)) +
+                                                         " is part of the framework already"));
     }
     for (Function f : every_function())
         if (!report.defined.has(f))

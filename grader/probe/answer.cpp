@@ -231,7 +231,7 @@ private:
         };
         Intersection isect;
         isect.position = vec3(q.position);
-        isect.geometric_normal = isect.normal = isect.shading_normal = vec3(q.normal);
+        isect.geometric_normal = isect.normal = vec3(q.normal);  // there is no shading_normal yet
         isect.tangent = vec3(q.tangent);
         isect.bitangent = vec3(q.bitangent);
         isect.uv = vec2(q.uv);

@@ -161,7 +161,10 @@ Report unofficial_part(Grade const& grade, Build const& build)
     Report broken = Report::object();
     for (auto const& [function, error] : build.broken)
         broken[std::string(info(function).name)] = {{"line", error.line}, {"message", error.message}};
-    return {{"earned", earned}, {"max", max}, {"functions", functions}, {"broken", broken}};
+    Report part{{"earned", earned}, {"max", max}, {"functions", functions}, {"broken", broken}};
+    for (auto const& error : build.left_out)
+        part["left_out"].push_back({{"line", error.line}, {"message", error.message}});
+    return part;
 }
 
 Report tasks_part(Grade const& grade, Rubric const& rubric)

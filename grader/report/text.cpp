@@ -31,14 +31,15 @@ constexpr Term pictures_term{"Bilder", "Pictures"};
 constexpr Term no_sandbox{"Ohne Käfig ausgeführt (--no-sandbox)", "Run without a cage (--no-sandbox)"};
 constexpr Term remarks_term{"Anmerkungen (ändern keine Punkte)", "Remarks (they change no points)"};
 constexpr Term differs{"weicht ab wegen", "differs because of"};
-constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixels wrong even if all else is right"};
+constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixel{} wrong even if all else is right"};
 constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
 constexpr Term not_gradable{"NICHT BEWERTBAR (kein Fehler der Abgabe)", "NOT GRADABLE (not the upload's fault)"};
 constexpr Term broken_functions{
-    "Die Datei lässt sich nicht übersetzen oder binden. Der erste Fehler jeder betroffenen Funktion:",
-    "The file does not compile or link. The first error of each function that is to blame:"};
+    "Die Datei lässt sich nicht übersetzen oder binden. Der erste Fehler jeder betroffenen Stelle:",
+    "The file does not compile or link. The first error of each place that is to blame:"};
 constexpr Term line_term{"Zeile", "line"};
 constexpr Term broken{"kompiliert nicht", "does not compile"};
+constexpr Term not_judged{"nicht bewertet", "not judged"};
 constexpr Term unofficially{"inoffiziell für das, was kompiliert", "unofficially, for what compiles"};
 constexpr Term unofficial_table{
     "Inoffiziell: was die Funktionen, die kompilieren, einbringen würden. Das zählt erst, wenn die ganze Datei "
@@ -150,6 +151,11 @@ private:
 
     bool has_unofficial() const { return report_.contains("unofficial"); }
 
+    bool was_run() const
+    {
+        return has_unofficial() || !report_.at("run_time").empty() || report_.at("build").at("ok").get<bool>();
+    }
+
     bool is_public_only() const
     {
         for (auto const& function : report_.at("functions"))
@@ -177,13 +183,19 @@ private:
     void broken_list()
     {
         line("\n{}", wrap(say(broken_functions), 0));
-        for (auto const& [name, error] : report_.at("unofficial").at("broken").items()) {
-            std::string place = name;
-            if (int const number = error.at("line").get<int>(); number > 0)
-                place += fmt::format(", {} {}", say(line_term), number);
-            line("  {}", wrap(fmt::format("{}: {}", place, text(error.at("message"))), 4));
-        }
+        Report const& unofficial = report_.at("unofficial");
+        for (auto const& error : unofficial.value("left_out", Report::array()))
+            broken_place("", error);
+        for (auto const& [name, error] : unofficial.at("broken").items())
+            broken_place(name, error);
         line("\n{}", wrap(say(unofficial_table), 0));
+    }
+
+    void broken_place(std::string place, Report const& error)
+    {
+        if (int const number = error.at("line").get<int>(); number > 0)
+            place += fmt::format("{}{} {}", place.empty() ? "" : ", ", say(line_term), number);
+        line("  {}", wrap(fmt::format("{}: {}", place, text(error.at("message"))), 4));
     }
 
     void points_line(std::string const& left, double earned, Report const& max)
@@ -230,9 +242,9 @@ private:
 
     Term word_for(std::string const& name) const
     {
-        if (auto const* const function = graded(name))
-            return verdict_term(text(function->at("verdict")));
         bool const missing = report_.at("functions").at(name).at("verdict") == "missing";
+        if (auto const* const function = graded(name))
+            return was_run() || missing ? verdict_term(text(function->at("verdict"))) : not_judged;
         return missing ? verdict_term("missing") : broken;
     }
 
@@ -267,8 +279,8 @@ private:
     /// Those that differ as submitted or in isolation.
     void pictures()
     {
-        if (!has_unofficial() && report_.at("run_time").empty() && !report_.at("build").at("ok").get<bool>())
-            return;  // nothing was run
+        if (!was_run())
+            return;
         bool any = false;
         for (auto const& picture : report_.at("pictures")) {
             if (finding(picture).empty())
@@ -308,10 +320,10 @@ private:
             result = fmt::format("{} {}", say(differs), join(picture.at("explained_by")));
         if (picture.at("score") == 1 || is_unwritten(picture))
             return result;
-        std::string const alone =
-            picture.at("isolated_file").is_null()
-                ? say(not_made)
-                : fmt::format(fmt::runtime(say(isolated)), picture.at("outside").get<std::size_t>());
+        auto const outside = picture.at("outside").get<std::size_t>();
+        std::string const alone = picture.at("isolated_file").is_null()
+                                      ? say(not_made)
+                                      : fmt::format(fmt::runtime(say(isolated)), outside, outside == 1 ? "" : "s");
         return result + (result.empty() ? "" : "; ") + alone;
     }
 

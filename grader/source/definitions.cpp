@@ -65,6 +65,22 @@ public:
         return std::move(found_);
     }
 
+    Extent declaration_at(int line)
+    {
+        for (std::size_t i = 0; i < tokens_.size();) {
+            if (std::size_t const brace = opens_namespace(i); brace > i) {
+                i = brace + 1;
+                continue;
+            }
+            std::size_t const last = last_of_declaration(i);
+            bool const behind = line_of(tokens_[i].begin) > line;
+            if (!behind && line <= line_of(tokens_[last].end))
+                return {tokens_[i].begin, tokens_[last].end};
+            i = last + 1;
+        }
+        return {};
+    }
+
 private:
     bool is(std::size_t i, char c) const
     {
@@ -90,6 +106,28 @@ private:
                 waiting.pop_back();
             }
         }
+    }
+
+    /// The brace of a namespace that begins with token i; i itself if none does.
+    std::size_t opens_namespace(std::size_t i) const
+    {
+        std::size_t brace = i;
+        if (word(i) == "namespace")
+            while (brace + 1 < tokens_.size() && (tokens_[brace + 1].identifier || is(brace + 1, ':')))
+                ++brace;
+        return word(i) == "namespace" && is(brace + 1, '{') ? brace + 1 : i;
+    }
+
+    /// Of the declaration that begins with token i: its semicolon, or the brace that closes it.
+    std::size_t last_of_declaration(std::size_t i) const
+    {
+        for (; i + 1 < tokens_.size() && !is(i, ';') && !is(i, '}'); ++i) {
+            if (is(i, '('))
+                i = closing_[i];
+            if (is(i, '{'))
+                return closing_[i] + (is(closing_[i] + 1, ';') ? 1 : 0);
+        }
+        return std::min(i, tokens_.size() - 1);
     }
 
     /// Which of the eleven is defined under the name that ends with token i: members behind their class, the others
@@ -119,29 +157,37 @@ private:
         return tokens_[i].identifier && is(i + 1, '(') ? named(i) : std::nullopt;
     }
 
+    /// The first token from i on that is no word such as const, noexcept or override.
+    std::size_t first_behind_words(std::size_t i) const
+    {
+        while (i < tokens_.size() && tokens_[i].identifier)
+            ++i;
+        return i;
+    }
+
     /// What is defined under the name that is token i.
     std::optional<Head> head(std::size_t i) const
     {
         auto const function = named_before_parenthesis(i);
         if (!function)
             return std::nullopt;
-        std::size_t body = closing_[i + 1] + 1;
-        while (body < tokens_.size() && tokens_[body].identifier)
-            ++body;  // const, noexcept, override
+        std::size_t const body = first_behind_words(closing_[i + 1] + 1);
         if (!is(body, '{'))
             return std::nullopt;
         return Head{*function, body};
     }
 
-    /// The same where a parenthesis or the brace may be missing: `body` is then the last token that can belong to the
-    /// head.
+    /// The same where a parenthesis or the brace may be missing, or a semicolon stands before the brace: `body` is then
+    /// the last token that can belong to the head.
     std::optional<Head> torn_head(std::size_t i) const
     {
         if (auto const whole = head(i))
             return whole;
         auto const function = named_before_parenthesis(i);
-        if (!function || is(closing_[i + 1] + 1, ';'))
+        if (!function)
             return std::nullopt;
+        if (std::size_t const behind = first_behind_words(closing_[i + 1] + 1); is(behind, ';'))
+            return is(behind + 1, '{') ? std::optional(Head{*function, behind + 1}) : std::nullopt;
         std::size_t const stop = *std::lower_bound(stops_.begin(), stops_.end(), i);
         if (stop == tokens_.size() || is(stop, '}'))
             return std::nullopt;
@@ -220,6 +266,11 @@ std::vector<Definition> find_definitions(std::string_view text)
 std::vector<Definition> recover_definitions(std::string_view text)
 {
     return Parser(text).recovered();
+}
+
+Extent find_declaration(std::string_view text, int line)
+{
+    return Parser(text).declaration_at(line);
 }
 
 std::string replace_body(std::string_view text, Function function, std::string_view body)

@@ -23,8 +23,17 @@ std::vector<Definition> find_definitions(std::string_view text);
 
 /// The same for text that does not compile because of its braces: a function without its closing brace ends where the
 /// next of the eleven begins, one with a closing brace too many at the last of them. One whose opening brace is
-/// missing, or the parenthesis behind its parameters, is found, too; `body` may be no brace then.
+/// missing, or the parenthesis behind its parameters, is found, too; `body` may be no brace then. So is one with a
+/// semicolon before its opening brace.
 std::vector<Definition> recover_definitions(std::string_view text);
+
+/// The declaration at namespace scope, or in a namespace, that the line is part of, from its first character to behind
+/// its semicolon or closing brace. Empty if there is none, or braces do not match.
+struct Extent {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+Extent find_declaration(std::string_view text, int line);
 
 /// The text with the body of `function` replaced; unchanged if it is not defined there.
 std::string replace_body(std::string_view text, Function function, std::string_view body);

@@ -46,9 +46,9 @@ Textures coloured_textures(Random& random, bool powers_of_two)
 /// u with |u| * size < 2^23, for a level with a side of `texels`.
 float coordinate(Random& random, int size, int texels)
 {
-    switch (random.integer(0, 4)) {
-        case 0:
-            return static_cast<float>(random.uniform(-2, 3));
+    if (random.coin())  // any fraction of a texel, near enough that a float has digits for it
+        return static_cast<float>(random.uniform(-3, 3));
+    switch (random.integer(1, 4)) {
         case 1:  // a border or a centre, or one float beside it
             return next_to(random, static_cast<float>(random.integer(-4 * texels, 6 * texels) / (2.0 * texels)));
         case 2:  // denormal, zero, a period
@@ -66,13 +66,13 @@ float coordinate(Random& random, int size, int texels)
 /// dudv in [0, infinity).
 float extent(Random& random, int size)
 {
-    switch (random.integer(0, 3)) {
+    if (random.coin())
+        return static_cast<float>(std::exp2(random.uniform(-1, 15)) / size);
+    switch (random.integer(0, 2)) {
         case 0:  // whole levels, or one float beside them
             return next_to(random, static_cast<float>(std::exp2(random.integer(-2, 16)) / size));
         case 1:
             return pick(random, {0.f, 0.f, denormal, 1e-40f, 1.f, 1e30f, float_max});
-        case 2:
-            return static_cast<float>(std::exp2(random.uniform(-1, 15)) / size);
         default:
             return static_cast<float>(log_uniform(random, 1e-44, 3e38));
     }

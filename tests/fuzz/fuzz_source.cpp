@@ -15,6 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         for (auto const& d : all)
             if (!(d.begin <= d.body && d.body <= d.end && d.end <= text.size() && d.line >= 1))
                 std::abort();
+    for (int line : {1, 2, 10})
+        if (Extent const e = find_declaration(text, line); e.begin > e.end || e.end > text.size())
+            std::abort();
     same_bodies(text, text);
     patch_definitions(text, text);
     included_headers(text, "/nowhere");

@@ -21,7 +21,8 @@ bool explains_end(Model const& model, Answers const& answers, Textures const& te
     auto const& status = answers.status;
     if (status.ended == Ended::answered)
         return true;
-    return status.ended == Ended::signal && status.answered < answers.group.count && model.may_crash &&
+    bool const died = status.ended == Ended::signal || status.ended == Ended::exception;  // at() throws
+    return died && status.answered < answers.group.count && model.may_crash &&
            model.may_crash(answers.group, status.answered, textures);
 }
 

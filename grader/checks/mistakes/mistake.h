@@ -12,7 +12,8 @@ namespace testat {
 /// One way to make a mistake. It says yes to an answer that comes out when the mistake is made, and nothing else.
 struct Model {
     std::function<bool(Answers const&, std::uint32_t index, Textures const&)> explains;
-    /// Whether the mistake leaves the language with this question, so that the process may die of it. Never if empty.
+    /// Whether the mistake leaves the language with this question, so that the process may die of it, or the function
+    /// throw. Never if empty.
     std::function<bool(Group const&, std::uint32_t index, Textures const&)> may_crash;
 };
 
@@ -27,7 +28,8 @@ struct Mistake {
 std::vector<Mistake> const& mistakes();
 
 /// The mistake that explains every answer to every check of the function that was asked; empty if none does, or if
-/// several do. A check that has ended by a signal is explained by a model that may crash at the question it ended with.
+/// several do. A check that has ended by a signal or an
+/// exception is explained by a model that may crash at the question it ended with.
 /// Functions without a failed check have no mistake.
 std::map<Function, std::string> name_mistakes(CheckResults const& results, Observations const& observations,
                                               Textures const& textures);

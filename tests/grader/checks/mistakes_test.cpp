@@ -102,7 +102,9 @@ TEST(Mistakes, OfALevelThatIsNotThereMayEndInACrash)
     answers.status.answered = 0;
     std::map<Function, std::string> const expected{{Function::evaluate_trilinear, "trilinear_crashes_at_last_level"}};
     EXPECT_EQ(asked.names(), expected);
-    answers.status.ended = Ended::exception;
+    answers.status.ended = Ended::exception;  // of at()
+    EXPECT_EQ(asked.names(), expected);
+    answers.status.ended = Ended::exit;
     EXPECT_TRUE(asked.names().empty());
 }
 }  // namespace testat

@@ -126,4 +126,17 @@ TEST(ComparePicture, AllowsNoneInLevelsUpTo64Texels)
         EXPECT_LT(compare_levels(level).score, 1) << level;
     }
 }
+
+TEST(ComparePicture, GivesNothingForMipLevelsThatAreNotAllThere)
+{
+    Picture const right = grey_picture(checker_side * 3 / 2, checker_side, 0.5f);
+    for (int level = 0; level < checker_levels; ++level) {
+        Picture wrong = right;
+        LevelPlace const place = place_of_level(level);
+        for (int y = 0; y < place.size.y; ++y)
+            for (int x = 0; x < place.size.x; ++x)
+                wrong.rgb[3 * std::size_t((place.corner.y + y) * right.width + place.corner.x + x)] = NAN;
+        EXPECT_EQ(compare_picture(miplevels, wrong, envelope_of(right)).score, 0) << level;
+    }
+}
 }  // namespace testat

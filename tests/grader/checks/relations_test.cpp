@@ -186,13 +186,20 @@ TEST(MetamorphicChecks, AskEveryUploadSomethingElse)
     EXPECT_NE(at(one, TestTexture::unknown_mip).levels[0].texels, at(other, TestTexture::unknown_mip).levels[0].texels);
 }
 
-TEST(MetamorphicChecks, AloneDependOnTheUpload)
+/// The answers to the first half of their questions may be known beforehand, those to the second may not.
+TEST(UnitChecks, DependOnTheUploadInTheirSecondHalf)
 {
     Textures const one = make_test_textures(1, upload(1));
     Textures const other = make_test_textures(1, upload(2));
     for (auto const& check : unit_checks())
-        if (check.name != check_of(check.function).name) {
-            EXPECT_EQ(questions_of(check, 1, one).questions, questions_of(check, 1, other).questions) << check.name;
+        if (!check.is_metamorphic) {
+            auto const a = questions_of(check, 1, one).questions;
+            auto const b = questions_of(check, 1, other).questions;
+            ASSERT_EQ(a.size(), b.size());
+            auto const half = std::ptrdiff_t(check.function == Function::create_mipmap ? a.size() : a.size() / 2);
+            EXPECT_TRUE(std::equal(a.begin(), a.begin() + half, b.begin())) << check.name;
+            EXPECT_EQ(std::equal(a.begin() + half, a.end(), b.begin() + half), half == std::ptrdiff_t(a.size()))
+                << check.name;
         }
     for (std::size_t i = 0; i < std::size_t(TestTexture::unknown_mip); ++i)
         EXPECT_EQ(one[i].levels[0].texels, other[i].levels[0].texels) << i;

@@ -56,26 +56,21 @@ void spoil(UnitCheck const& check, std::uint32_t index, float factor, Answers& a
     }
 }
 
-bool depends_on_the_upload(UnitCheck const& check)
-{
-    static Textures const one = make_test_textures(1, "one"), other = make_test_textures(1, "other");
-    return check.name == "CreateMipmap.LinearInTheTexture" ||
-           questions_of(check, 1, one).questions != questions_of(check, 1, other).questions;
-}
-
 bool is_zero(Answers const& answers, std::uint32_t index)
 {
     auto const* begin = &answers.words[std::size_t(index) * answers.group.words_per_answer];
     return std::all_of(begin, begin + answers.group.words_per_answer, [](std::uint32_t word) { return word == 0; });
 }
 
-/// A question whose answer says something: a ray that misses has no position, and what is outside a texture is zero.
+/// A question whose answer says something: a ray that misses has no position, what is so near that only few digits of
+/// its distance are left hides a small error, and what is outside a texture is zero.
 std::uint32_t telling_question(Random& random, UnitCheck const& check, Answers const& answers)
 {
     for (;;) {
         auto const index = std::uint32_t(random.integer(0, int(answers.group.count) - 1));
-        bool const is_miss = answers.group.kind == Kind::intersect && integer(answers, index) == 0;
-        if (counts(check) || (!is_miss && !is_zero(answers, index)))
+        bool const is_silent = answers.group.kind == Kind::intersect &&
+                               (integer(answers, index) == 0 || floats<1>(answers, index, 1)[0] < 0.01f);
+        if (counts(check) || (!is_silent && !is_zero(answers, index)))
             return index;
     }
 }
@@ -166,7 +161,7 @@ TEST(UnitChecks, NameTheWrongAnswer)
         Verdict const verdict = check.judge(answers, textures);
         bool const pairs =
             check.name.find("Gradients") != std::string::npos || check.name == "EvaluateBilinear.NegativeCoordinates";
-        if (!depends_on_the_upload(check)) {  // there another question of the same relation may be named
+        if (!check.is_metamorphic) {  // there another question of the same relation may be named
             EXPECT_EQ(verdict.question(), pairs ? index | 1 : index);
         }
         EXPECT_NE(verdict.deviation().measured, "");

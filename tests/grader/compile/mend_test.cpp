@@ -108,11 +108,24 @@ TEST(Mend, BelievesOnlyTheFirstError)
     EXPECT_EQ(broken_in(mended), "wrap_clamp 4: a");
 }
 
-TEST(Mend, GivesUpOnErrorsOutsideTheFunctions)
+TEST(Mend, LeavesOutOtherDeclarations)
 {
-    EXPECT_EQ(broken_by({"HELPER"}), "nothing mended");
-    EXPECT_EQ(broken_by({"CLAMP", "HELPER"}), "nothing mended");
+    CompilerOfWords compiler({"HELPER"});
+    auto const mended = mend_file(file, compiler);
+    ASSERT_TRUE(mended);
+    EXPECT_TRUE(mended->broken.empty());
+    ASSERT_EQ(mended->left_out.size(), 1u);
+    EXPECT_EQ(mended->left_out[0].line, 10);
+    EXPECT_EQ(mended->left_out[0].message, "HELPER");
+    EXPECT_EQ(mended->text.find("helper"), std::string::npos);
+    EXPECT_NE(mended->text.find("wrap_repeat"), std::string::npos);
+    EXPECT_EQ(broken_by({"CLAMP", "HELPER"}), "wrap_clamp 4: CLAMP");
+}
+
+TEST(Mend, GivesUpOnErrorsOutsideAllDeclarations)
+{
     EXPECT_EQ(broken_by({"#include"}), "nothing mended");
+    EXPECT_EQ(broken_by({"CLAMP", "#include"}), "nothing mended");
 }
 
 TEST(Mend, GivesUpWithoutTime)

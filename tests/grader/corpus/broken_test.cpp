@@ -1,6 +1,7 @@
 // Every file of the corpus that does not compile is graded as its first line says:
 //   // verdict: {"broken": {"wrap_repeat": "return val %"}, "unofficial": [18.5, 19]}
 // broken: the functions that are to blame, with a piece of the line that is named for each; 0 if there is no line.
+// left_out: a piece of the line named for each other declaration that is to blame; none if it is left out.
 // unofficial: points of the others, and how many there are; null if nothing can be graded.
 #include "corpus/uploads.h"
 
@@ -28,6 +29,15 @@ void expect_broken(std::filesystem::path const& file, Json const& broken, Json c
             EXPECT_NE(line_of(file, line).find(place.get<std::string>()), std::string::npos) << line_of(file, line);
         else
             EXPECT_EQ(line, place) << name;
+    }
+}
+
+void expect_left_out(std::filesystem::path const& file, Json const& left_out, Json const& expected)
+{
+    ASSERT_EQ(left_out.size(), expected.size()) << left_out;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        std::string const line = line_of(file, left_out[i].at("line"));
+        EXPECT_NE(line.find(expected[i].get<std::string>()), std::string::npos) << line;
     }
 }
 
@@ -64,6 +74,8 @@ TEST_P(BrokenCorpus, IsGradedAsItsFirstLineSays)
     Json const& unofficial = graded.report.at("unofficial");
     EXPECT_EQ(Json({unofficial.at("earned"), unofficial.at("max")}), verdict.at("unofficial"));
     expect_broken(GetParam().file, unofficial.at("broken"), verdict.at("broken"));
+    expect_left_out(GetParam().file, unofficial.value("left_out", Json::array()),
+                    verdict.value("left_out", Json::array()));
     expect_functions(unofficial.at("functions"), unofficial.at("broken"));
     if (HasFailure())
         std::cout << GetParam().file.string() << " with " << GetParam().compiler << "\n" << unofficial.dump(2) << "\n";

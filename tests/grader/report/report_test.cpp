@@ -192,6 +192,18 @@ TEST(MakeReport, HoldsUnofficialPoints)
     EXPECT_TRUE(is_valid(report));
 }
 
+TEST(MakeReport, HoldsWhatElseDoesNotCompile)
+{
+    Build build = mended_build();
+    build.broken.clear();
+    build.left_out = {{"exercise_03.cpp", 2, 1, "error", "'junk' is no type"}};
+    Report const report = report_of(passed_results(example_rubric()), build);
+    EXPECT_EQ(report["points"]["earned"], 0);
+    EXPECT_EQ(report["unofficial"]["earned"], 2);
+    EXPECT_EQ(report["unofficial"]["left_out"][0]["line"], 2);
+    EXPECT_TRUE(is_valid(report));
+}
+
 TEST(MakeReport, HasNoUnofficialPointsOtherwise)
 {
     EXPECT_FALSE(report_of(passed_results(example_rubric()), whole_build()).contains("unofficial"));

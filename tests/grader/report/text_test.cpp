@@ -120,6 +120,25 @@ TEST(ReportToText, ShowsUnofficialPoints)
                        "wrap_clamp, Zeile 3: 'x' was not declared", "Inoffiziell", "kompiliert nicht", "richtig"}));
 }
 
+TEST(ReportToText, ShowsWhatElseDoesNotCompile)
+{
+    Build build = mended_build();
+    build.broken.clear();
+    build.left_out = {{"exercise_03.cpp", 2, 1, "error", "'junk' is no type"}};
+    Report const report = report_of(example_rubric(), passed_results(example_rubric()), build);
+    EXPECT_TRUE(holds(report_to_text(report, Language::en), {"line 2: 'junk' is no type", "2.00 of 2.00"}));
+}
+
+TEST(ReportToText, SaysWhatWasNotJudged)
+{
+    Build build;
+    build.sources[Function::wrap_clamp] = {2, "int wrap_clamp() { x }"};
+    Report const report = report_of(example_rubric(), CheckResults{}, build);
+    EXPECT_TRUE(holds(report_to_text(report, Language::en), {"not judged", "missing"}));
+    EXPECT_EQ(report_to_text(report, Language::en).find("wrong"), std::string::npos);
+    EXPECT_TRUE(holds(report_to_text(report, Language::de), {"nicht bewertet", "fehlt"}));
+}
+
 TEST(ReportToText, SaysWhichPolicyApplies)
 {
     Build build = whole_build();
@@ -137,6 +156,9 @@ TEST(ReportToText, ShowsPicturesThatDiffer)
     Report const report = report_of(example_rubric(), results, whole_build());
     EXPECT_TRUE(holds(report_to_text(report, Language::en), {"clamped", "1234", "because of wrap_clamp"}));
     EXPECT_TRUE(holds(report_to_text(report, Language::de), {"clamped", "1234", "wegen wrap_clamp"}));
+    results.pictures[0].isolated[0].rendering->comparison.outside = 1;
+    EXPECT_TRUE(
+        holds(report_to_text(report_of(example_rubric(), results, whole_build()), Language::en), {"; 1 pixel wrong"}));
 }
 
 TEST(ReportToText, ShowsRemarks)

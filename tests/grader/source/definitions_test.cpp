@@ -320,6 +320,14 @@ TEST(RecoverDefinitions, FindsFunctionsWithoutClosingParenthesis)
     EXPECT_EQ(recovered(torn + "\n" + repeat), (Texts{torn, repeat}));
 }
 
+TEST(RecoverDefinitions, FindsFunctionsWithASemicolonBeforeTheBody)
+{
+    std::string const torn = "int ImageTexture::wrap_clamp(int v, int n); { return v; }";
+    EXPECT_EQ(recovered(torn + "\n" + repeat), (Texts{torn, repeat}));
+    std::string const member = "V ImageTexture::evaluate_nearest(int level, V const& uv) const; { return uv; }";
+    EXPECT_EQ(recovered(member + "\n" + repeat), (Texts{member, repeat}));
+}
+
 TEST(RecoverDefinitions, SkipsDeclarationsAndCalls)
 {
     EXPECT_TRUE(recovered("V transform_position(M const& m, V const& p);").empty());
@@ -346,6 +354,42 @@ TEST(RecoverDefinitions, TakesTimeInProportion)
             text += part;
         EXPECT_LE(recover_definitions(text).size(), text.size() / 15) << part;
     }
+}
+
+TEST(FindDeclaration, FindsWhatALineIsPartOf)
+{
+    std::string const text =
+        "#include <x>\n"
+        "struct S { int a;\n"
+        "  int b; };\n"
+        "int f(int i)\n"
+        "{ for (;;) { }\n"
+        "}\n"
+        "namespace { namespace a::b {\n"
+        "int g() { return 1; }  int h();\n"
+        "} }\n"
+        "x y\n"
+        ";\n";
+    auto const found = [&](int line) {
+        Extent const e = find_declaration(text, line);
+        return text.substr(e.begin, e.end - e.begin);
+    };
+    EXPECT_EQ(found(1), "");
+    EXPECT_EQ(found(2), "struct S { int a;\n  int b; };");
+    EXPECT_EQ(found(3), found(2));
+    EXPECT_EQ(found(4), "int f(int i)\n{ for (;;) { }\n}");
+    EXPECT_EQ(found(6), found(4));
+    EXPECT_EQ(found(8), "int g() { return 1; }");
+    EXPECT_EQ(found(10), "x y\n;");
+    EXPECT_EQ(found(12), "");
+}
+
+TEST(FindDeclaration, NeverFailsOnWhatIsNoCpp)
+{
+    for (std::string const text : {"", "}", "{", "(", "namespace", "namespace {", "namespace a", "x", "a { ( } ) ;",
+                                   "}}{{", "f(", "f()", "f() {", "f(;"})
+        for (int line = 0; line < 3; ++line)
+            EXPECT_LE(find_declaration(text, line).end, text.size()) << text;
 }
 
 TEST(ReplaceBody, ReplacesThatBodyOnly)

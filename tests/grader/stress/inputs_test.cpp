@@ -75,6 +75,19 @@ TEST(Subjects, AreAllElevenInTheOrderOfTheSheet)
         EXPECT_EQ(static_cast<std::uint32_t>(subjects()[i].function), i);
 }
 
+/// Weights that are wrong in their last digits show at fractions only.
+TEST(LookupInputs, AreNearFractionsOftenEnough)
+{
+    for (Function f : {Function::evaluate_nearest, Function::evaluate_bilinear, Function::evaluate_trilinear}) {
+        int near = 0, all = 0;
+        for_each_inside<LookupQuestion>(f, [&](LookupQuestion const& q, Textures const&) {
+            ++all;
+            near += std::all_of(q.uv, q.uv + 2, [](float u) { return std::abs(u) > 1e-3f && std::abs(u) < 3; }) ? 1 : 0;
+        });
+        EXPECT_GT(4 * near, all) << info(f).name;
+    }
+}
+
 TEST(WrapInputs, KeepToTheContractAndReachItsEnds)
 {
     std::set<int> values, sizes;
