@@ -55,13 +55,10 @@ std::set<std::string> framework_symbols(Installation const& where)
 
 std::string demangle(std::string const& name)
 {
-    constexpr std::size_t longest = 300;
-    if (name.size() > longest)
-        return clean_text(name, 100);
     int status = 0;
     std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status),
                                                 std::free);
-    return clean_text(status == 0 ? text.get() : name.c_str(), 400);
+    return status == 0 ? text.get() : name;
 }
 
 namespace {
@@ -90,14 +87,35 @@ std::string as_written(std::string declaration)
     return declaration;
 }
 
-std::string explain_missing(Function f, std::vector<Symbol> const& symbols)
+/// The declaration of a function with this name among the symbols; empty if there is none. A stranger's names can keep
+/// a demangler busy for ever, so that is done in the cage.
+std::string find_declaration(std::string_view function, std::vector<Symbol> const& symbols, Cage& cage)
+{
+    constexpr std::size_t longest_name = 300;
+    constexpr std::size_t most_names = 20;
+    Caged filter{{{"c++filt", "--"}, "/", {}, 1, 5, nm_memory, 1}};
+    std::size_t const options = filter.command.argv.size();
+    for (auto const& symbol : symbols)
+        if (symbol.name.size() <= longest_name && symbol.name.find(function) != std::string::npos &&
+            filter.command.argv.size() < options + most_names)
+            filter.command.argv.push_back(symbol.name);
+    if (filter.command.argv.size() == options)
+        return "";
+    filter.sees = compiler_directories();
+    std::istringstream lines(cage.run(filter).output);
+    for (std::string line; std::getline(lines, line);)
+        if (declares(line, function))
+            return one_line(line, 400);
+    return "";
+}
+
+std::string explain_missing(Function f, std::vector<Symbol> const& symbols, Cage& cage)
 {
     std::string const wanted = as_written(demangle(std::string(info(f).symbol)));
-    for (auto const& symbol : symbols)
-        if (std::string const found = demangle(symbol.name); declares(found, info(f).name))
-            return wanted + " is missing; the file defines " + as_written(found) +
-                   " instead (the declaration was changed)";
-    return wanted + " is missing";
+    std::string const found = find_declaration(info(f).name, symbols, cage);
+    if (found.empty())
+        return wanted + " is missing";
+    return wanted + " is missing; the file defines " + as_written(found) + " instead (the declaration was changed)";
 }
 }  // namespace
 
@@ -117,7 +135,7 @@ SymbolReport check_symbols(std::filesystem::path const& library, std::string con
     }
     for (Function f : every_function())
         if (!report.defined.has(f))
-            report.missing[f] = error(shown, explain_missing(f, symbols));
+            report.missing[f] = error(shown, explain_missing(f, symbols, cage));
     return report;
 }
 }  // namespace testat

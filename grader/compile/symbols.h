@@ -15,6 +15,7 @@ struct SymbolReport {
 SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where,
                            Cage& cage);
 
-/// The C++ declaration of a mangled name; the name itself if it is no such name or suspiciously long.
+/// The C++ declaration of a mangled name of ours or of the framework: never of a name from an upload, which can take
+/// for ever. The name itself if it is none.
 std::string demangle(std::string const& name);
 }  // namespace testat
