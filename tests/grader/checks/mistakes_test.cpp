@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 namespace testat {
 namespace {
@@ -53,6 +55,19 @@ int abs_of_remainder(int val, int size)
     return std::abs(val % size);
 }
 
+/// The first lines of the corpus's wrong files, which say what must be named.
+std::string verdicts()
+{
+    std::string all;
+    for (auto const& file : std::filesystem::directory_iterator(TESTAT_REPOSITORY "/tests/submissions/wrong")) {
+        std::ifstream in(file.path());
+        std::string first;
+        std::getline(in, first);
+        all += first;
+    }
+    return all;
+}
+
 std::map<Function, std::string> const repeat_abs{{Function::wrap_repeat, "repeat_abs"}};
 }  // namespace
 
@@ -90,6 +105,15 @@ TEST(Mistakes, AreNotNamedForACrashThatTheyDoNotPredict)
     answers.status.ended = Ended::signal;
     answers.status.answered = 100;
     EXPECT_TRUE(asked.names().empty());
+}
+
+TEST(Mistakes, AreProvedByFilesOfTheCorpus)
+{
+    std::string const all = verdicts();
+    for (auto const& mistake : mistakes()) {
+        std::string const named = '"' + std::string(info(mistake.function).name) + "\": \"" + mistake.id + '"';
+        EXPECT_NE(all.find(named), std::string::npos) << named;
+    }
 }
 
 TEST(Mistakes, OfALevelThatIsNotThereMayEndInACrash)
