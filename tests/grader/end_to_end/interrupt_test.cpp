@@ -20,16 +20,6 @@ bool has_ended(Descriptor const& process)
     return poll(&p, 1, patience_ms) == 1;
 }
 
-std::string endless_upload()
-{
-    return patched_reference(
-        "int ImageTexture::wrap_clamp(int val, int size)\n"
-        "{\n"
-        "    for (volatile int i = val;; i = i + size) {\n"
-        "    }\n"
-        "}\n");
-}
-
 class Interrupt : public testing::TestWithParam<std::tuple<int, bool>> {};
 
 TEST_P(Interrupt, LeavesNoProcessAndNoFile)
@@ -37,7 +27,7 @@ TEST_P(Interrupt, LeavesNoProcessAndNoFile)
     auto const [signal, caged] = GetParam();
     TemporaryDirectory const place;
     std::filesystem::create_directory(place.path() / "tmp");
-    write_file(place.path() / "exercise_03.cpp", endless_upload());
+    write_file(place.path() / "exercise_03.cpp", endless_text());
     std::vector<std::string> arguments{"grade", (place.path() / "exercise_03.cpp").string(), "--tasks", "b",
                                        "--out", (place.path() / "report").string()};
     if (!caged)

@@ -92,22 +92,12 @@ TEST_F(NotGradable, WithoutRoomForTheReport)
     EXPECT_EQ(written.find("report.json"), std::string::npos) << written;
 }
 
-std::string slow_upload()
-{
-    return patched_reference(
-        "int ImageTexture::wrap_clamp(int val, int size)\n"
-        "{\n"
-        "    for (volatile int i = val;; i = i + size) {\n"
-        "    }\n"
-        "}\n");
-}
-
 /// An operator, or a kernel without memory, kills something of ours.
 TEST(Killed, IsNotTheUploadsFault)
 {
     for (char const* victim : {"bwrap", "probe"}) {
         TemporaryDirectory const place;
-        write_file(place.path() / "exercise_03.cpp", slow_upload());
+        write_file(place.path() / "exercise_03.cpp", endless_text());
         Running const program({"grade", (place.path() / "exercise_03.cpp").string(), "--tasks", "b", "--out",
                                (place.path() / "report").string()},
                               {}, place.path() / "out", place.path() / "err");

@@ -145,6 +145,16 @@ std::string patched_reference(std::string const& patch)
     return patch_definitions(reference_text(), patch);
 }
 
+std::string endless_text()
+{
+    return patched_reference(
+        "int ImageTexture::wrap_clamp(int val, int size)\n"
+        "{\n"
+        "    for (volatile int i = val;; i = i + size) {\n"
+        "    }\n"
+        "}\n");
+}
+
 std::string function_table_of(Json const& report)
 {
     if (!report.contains("functions"))

@@ -64,6 +64,9 @@ std::filesystem::path example_file();
 /// references/exercise_03.cpp with the functions of `patch` in place of its own.
 std::string patched_reference(std::string const& patch);
 
+/// The solution, but its wrap_clamp never comes to an end.
+std::string endless_text();
+
 /// Points of every function, verdict and unit checks that failed: what a failing test prints.
 std::string function_table_of(Json const& report);
 
