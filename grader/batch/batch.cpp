@@ -11,6 +11,7 @@
 #include "progress.h"
 #include "report/formats/format.h"
 #include "rubric/rubric.h"
+#include "sandbox/cage.h"
 #include "text.h"
 
 #include <fmt/format.h>
@@ -224,6 +225,9 @@ void write_similarity(Intake const& intake, fs::path const& scratch, BatchOption
 
 bool batch(BatchOptions const& options)
 {
+    if (CageTrouble const trouble = find_cage_trouble(); !trouble.problem.empty())
+        throw std::runtime_error("there is no cage for uploads: " + trouble.problem +
+                                 "; to mend it: " + trouble.remedy);
     claim(options.out);
     Store const store(options.out / store_name);
     TemporaryDirectory const scratch;

@@ -78,6 +78,15 @@ TEST_F(NotGradable, WithoutNamespaces)
                   "could not be put up");
 }
 
+TEST_F(NotGradable, RefusesABatchAtOnce)
+{
+    Prepared const prepared("mount --bind /dev/null /usr/bin/bwrap; " TESTAT_PROGRAM
+                            " batch tmp --out batch; echo $?; ls");
+    EXPECT_EQ(prepared.finished.output.find("testat: there is no cage for uploads: bubblewrap is not installed"), 0u)
+        << prepared.finished.output;
+    EXPECT_EQ(prepared.finished.output.find("batch\n"), std::string::npos) << prepared.finished.output;
+}
+
 TEST_F(NotGradable, WithoutRoomToCompile)
 {
     expect_reason(Prepared("mount -t tmpfs -o size=1m none tmp; dd if=/dev/zero of=tmp/fill bs=4k 2>/dev/null"), "");
