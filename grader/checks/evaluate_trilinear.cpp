@@ -40,10 +40,14 @@ auto ask(std::vector<TestTexture> const& which, Footprint const& footprint, Plac
     };
 }
 
-/// T from the first level to the last but one, and a few whole numbers. Where the levels end is for others to ask.
+/// T clearly above the first level up to the last but one, and a few whole numbers. Where the levels begin and end is
+/// for others to ask. The lowest T is always asked, so that chance decides nothing for who begins too late.
 double between_levels(Random& random, int i, double last)
 {
-    return std::exp2(i % 8 == 0 ? random.integer(1, 4) : random.uniform(0.05, last - 1.05));
+    constexpr double lowest = 0.3;
+    if (i % 8 == 0)
+        return std::exp2(random.integer(1, 4));
+    return std::exp2(i == 1 ? lowest : random.uniform(lowest, last - 1.05));
 }
 
 /// The larger side decides, whichever it is; the other may be anything, zero included.

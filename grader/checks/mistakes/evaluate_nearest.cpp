@@ -14,14 +14,16 @@ struct Rule {
 
 Model model(Rule const& rule)
 {
-    return lookup_model([=](TextureData const& texture, LookupQuestion const& q, glm::dvec2 uv, glm::dvec2) {
-        glm::ivec2 size = level_size(texture, rule.size_of_level_zero ? 0 : q.level) - rule.smaller_by;
-        if (rule.exchange_sides)
-            std::swap(size.x, size.y);
-        return std::optional(texel(texture, rule.texels_of_level_zero ? 0 : q.level,
-                                   static_cast<int>(rule.round(uv.x * size.x)),
-                                   static_cast<int>(rule.round(uv.y * size.y))));
-    });
+    return lookup_model(
+        [=](TextureData const& texture, LookupQuestion const& q, glm::dvec2 uv, glm::dvec2) {
+            glm::ivec2 size = level_size(texture, rule.size_of_level_zero ? 0 : q.level) - rule.smaller_by;
+            if (rule.exchange_sides)
+                std::swap(size.x, size.y);
+            return std::optional(texel(texture, rule.texels_of_level_zero ? 0 : q.level,
+                                       static_cast<int>(rule.round(uv.x * size.x)),
+                                       static_cast<int>(rule.round(uv.y * size.y))));
+        },
+        rule.smaller_by);
 }
 
 double down(double x)

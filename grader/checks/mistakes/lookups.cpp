@@ -55,10 +55,11 @@ double footprint_error(glm::dvec2 dudv, glm::ivec2 size)
 /// Three factors or shifts for what a rounding may do: down, nothing, up.
 constexpr double directions[] = {-1, 0, 1};
 
-Outcomes outcomes(WrongLookup const& wrong, TextureData const& texture, LookupQuestion const& q, Function function)
+Outcomes outcomes(WrongLookup const& wrong, int smaller_by, TextureData const& texture, LookupQuestion const& q,
+                  Function function)
 {
     bool const with_footprint = function == Function::evaluate_trilinear;
-    glm::ivec2 const size = level_size(texture, with_footprint ? 0 : q.level);
+    glm::ivec2 const size = level_size(texture, with_footprint ? 0 : q.level) - smaller_by;
     glm::dvec2 const uv = dvec2(q.uv);
     glm::dvec2 const error(uv_error(uv.x, size.x), uv_error(uv.y, size.y));
     double const stretch = footprint_error(dvec2(q.dudv), size);
@@ -72,16 +73,16 @@ Outcomes outcomes(WrongLookup const& wrong, TextureData const& texture, LookupQu
 }
 }  // namespace
 
-Model lookup_model(WrongLookup const& wrong)
+Model lookup_model(WrongLookup const& wrong, int smaller_by)
 {
     return {[=](Answers const& answers, std::uint32_t i, Textures const& textures) {
                 auto const q = question<LookupQuestion>(answers.group, i);
-                return outcomes(wrong, textures[q.texture], q, answers.group.under_test)
+                return outcomes(wrong, smaller_by, textures[q.texture], q, answers.group.under_test)
                     .has(dvec4(floats<4>(answers, i).data()));
             },
             [=](Group const& group, std::uint32_t i, Textures const& textures) {
                 auto const q = question<LookupQuestion>(group, i);
-                return outcomes(wrong, textures[q.texture], q, group.under_test).undefined;
+                return outcomes(wrong, smaller_by, textures[q.texture], q, group.under_test).undefined;
             }};
 }
 }  // namespace testat

@@ -10,6 +10,7 @@ using WrongLookup =
     std::function<std::optional<glm::dvec4>(TextureData const&, LookupQuestion const&, glm::dvec2 uv, glm::dvec2 dudv)>;
 
 /// Explains an answer that lies among what the wrong lookup gives for all uv and dudv that differ from the question's
-/// by no more than float roundings. Where it gives nothing or no finite number, the answer must not be finite either.
-Model lookup_model(WrongLookup const& wrong);
+/// by no more than float roundings, if it scales them by the size less `smaller_by`. Where it gives nothing or no
+/// finite number, the answer must not be finite either.
+Model lookup_model(WrongLookup const& wrong, int smaller_by = 0);
 }  // namespace testat

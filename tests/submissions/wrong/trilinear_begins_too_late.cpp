@@ -6,7 +6,7 @@ glm::vec4 ImageTexture::evaluate_trilinear(glm::vec2 const& uv, glm::vec2 const&
     float const footprint = std::max(dudv.x * float(finest.getWidth()), dudv.y * float(finest.getHeight()));
     int const last = int(mip_levels.size()) - 1;
     // A footprint of at most one texel is magnified: log2 would be negative, or minus infinity for none at all.
-    if (!(footprint > 1.01f))
+    if (!(footprint > 1.05f))
         return evaluate_bilinear(0, uv);
     float const level = std::log2(footprint);
     if (level >= float(last))
