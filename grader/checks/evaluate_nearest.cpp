@@ -34,11 +34,8 @@ Group ask_inside(Random& random, Textures const& textures, TestTexture texture, 
     for (int i = 0; i < questions_each; ++i) {
         int const level = random.integer(first_level, last_level);
         glm::ivec2 const size = level_size(at(textures, texture), level);
-        bool const now = i % 8 == 7;
-        // Not the end of the last texel: there size - 1 as a factor gives nearly an integer, and no mistake has a name.
-        glm::ivec2 const last = glm::max(size - (now ? 2 : 1), 0);
-        glm::ivec2 const place(random.integer(0, last.x), random.integer(0, last.y));
-        questions.push_back(ask_texel(random, texture, level, size, place, now ? now_and_then : f));
+        glm::ivec2 const place(random.integer(0, size.x - 1), random.integer(0, size.y - 1));
+        questions.push_back(ask_texel(random, texture, level, size, place, i % 8 == 7 ? now_and_then : f));
     }
     return make_group(Kind::lookup, questions);
 }
