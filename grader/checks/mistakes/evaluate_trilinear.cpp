@@ -182,14 +182,15 @@ Value extrapolated_above(TextureData const& texture, glm::dvec2 uv, double t)
     return two_levels(texture, uv, finer, t - finer);
 }
 
-/// Right for T from 0 up to the last level; outside, the level is not clamped.
-Model not_clamped(Outside below, Outside above)
+/// Right for T from 0 up to the last level, or but for that one; outside, the level is not clamped.
+Model not_clamped(Outside below, Outside above, bool last_is_right = true)
 {
     return lookup_model([=](TextureData const& texture, LookupQuestion const&, glm::dvec2 uv, glm::dvec2 dudv) {
         double const t = std::log2(larger_side(dudv, level_size(texture, 0)));
         if (below != nullptr && t < 0)
             return below(texture, uv, t);
-        if (above != nullptr && t > last_level(texture))
+        int const last = last_level(texture);
+        if (above != nullptr && (t > last || (t == last && !last_is_right)))
             return above(texture, uv, t);
         return Value(within_levels(texture, uv, t, {}));
     });
@@ -241,7 +242,9 @@ void add_evaluate_trilinear_mistakes(std::vector<Mistake>& mistakes)
     add("trilinear_not_clamped_below", not_clamped_below);
     add("trilinear_not_clamped_above", {not_clamped(nullptr, no_such_level), reads_behind_the_last(no_such_level),
                                         not_clamped(nullptr, extrapolated_above)});
-    add("trilinear_not_clamped", {not_clamped(no_such_level, no_such_level), not_clamped(cast_below, no_such_level)});
+    add("trilinear_not_clamped",
+        {not_clamped(no_such_level, no_such_level), not_clamped(cast_below, no_such_level),
+         not_clamped(no_such_level, no_such_level, false), not_clamped(cast_below, no_such_level, false)});
     add("trilinear_crashes_at_last_level", {reads_behind_the_last(nullptr)});
     add("trilinear_nan_without_footprint", {undefined_without_footprint()});
     add("trilinear_footprint_in_uv", {model({in_uv})});

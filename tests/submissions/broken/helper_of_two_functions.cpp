@@ -1,4 +1,4 @@
-// verdict: {"broken": {"wrap_clamp": "return limit(val", "wrap_repeat": "return limit(remainder"}, "left_out": ["return std::maxx"], "unofficial": [18, 18]}
+// verdict: {"broken": {"wrap_clamp": "return limit(std::min", "wrap_repeat": "return limit(remainder"}, "left_out": ["return std::maxx"], "unofficial": [18, 18]}
 // The helper is misspelt, and two functions use it; one without it is not touched.
 namespace {
 int unused_and_right()
