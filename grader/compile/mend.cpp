@@ -91,7 +91,9 @@ bool cut_declaration(FirstError const& first, Mended& mended)
 {
     constexpr std::size_t most = 8;
     auto const definitions = recover_definitions(mended.text);
-    for (int const line : first.lines) {
+    constexpr std::size_t most_lines = 4;
+    for (std::size_t i = 0; i < std::min(first.lines.size(), most_lines); ++i) {
+        int const line = first.lines[i];
         Extent const found = find_declaration(mended.text, line);
         bool const overlaps = std::any_of(definitions.begin(), definitions.end(), [&](Definition const& d) {
             return d.begin < found.end && found.begin < d.end;

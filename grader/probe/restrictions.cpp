@@ -38,8 +38,7 @@ void allow_computing(SystemCallFilter& filter)
     std::uint32_t const allowed = SCMP_ACT_ALLOW;
     filter.add(allowed, {SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(lseek),
                          SCMP_SYS(close), SCMP_SYS(fstat)});
-    filter.add(allowed, {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(madvise), SCMP_SYS(futex),
-                         SCMP_SYS(getrandom)});
+    filter.add(allowed, {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(madvise), SCMP_SYS(futex), SCMP_SYS(getrandom)});
     filter.add(allowed,
                {SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack),
                 SCMP_SYS(timer_create), SCMP_SYS(timer_settime), SCMP_SYS(timer_delete)});
@@ -50,6 +49,7 @@ void allow_computing(SystemCallFilter& filter)
                          SCMP_SYS(sched_getaffinity), SCMP_SYS(getcpu)});
     filter.add(allowed, {SCMP_SYS(exit), SCMP_SYS(exit_group)});
     filter.add(allowed, {SCMP_SYS(mmap), SCMP_SYS(mprotect)}, {low_bits_are(2, PROT_EXEC, 0)});
+    filter.add(allowed, {SCMP_SYS(mremap)}, {low_bits_are(3, MREMAP_FIXED, 0)});   // not over code
     filter.add(allowed, {SCMP_SYS(tgkill)}, {low_bits_are(0, ~0u, own_process)});  // abort() and the like
 }
 
@@ -61,12 +61,17 @@ void allow_threads(SystemCallFilter& filter)
     filter.add(SCMP_ACT_ERRNO(ENOSYS), {SCMP_SYS(clone3)});  // the C library then takes clone
 }
 
-/// What loading a library and the second filter need on top. Code comes from a file; Landlock leaves only the upload's.
+/// What a child opens while it has nothing but standard input and output.
+constexpr std::uint32_t first_opened = 3;
+
+/// What loading a library and the second filter need on top. Code comes from a file that was opened, which Landlock
+/// leaves no other than the upload; what stdout goes to is no such file.
 void allow_loading(SystemCallFilter& filter)
 {
     filter.add(SCMP_ACT_ALLOW, {SCMP_SYS(openat), SCMP_SYS(pread64), SCMP_SYS(newfstatat)});
     filter.add(SCMP_ACT_ALLOW, {SCMP_SYS(mmap)},
-               {low_bits_are(2, PROT_EXEC | PROT_WRITE, PROT_EXEC), low_bits_are(3, MAP_ANONYMOUS, 0)});
+               {low_bits_are(2, PROT_EXEC | PROT_WRITE, PROT_EXEC), low_bits_are(3, MAP_ANONYMOUS, 0),
+                low_bits_are(4, ~0u, first_opened)});
     filter.add(SCMP_ACT_ALLOW, {SCMP_SYS(seccomp)});
 }
 

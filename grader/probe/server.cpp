@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <system_error>
 #include <vector>
 
@@ -118,7 +119,8 @@ void read_output(Descriptor const& output, GroupStatus& status)
 /// The blackboard's mapping, large enough for the largest group.
 class SharedBoard {
 public:
-    explicit SharedBoard(std::size_t words) : size_(sizeof(Blackboard) + 4 * words)
+    /// Whole pages: a child could write to the rest of the last one, too.
+    explicit SharedBoard(std::size_t words) : size_((sizeof(Blackboard) + 4 * words + page - 1) / page * page)
     {
         memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         if (memory_ == MAP_FAILED)
@@ -128,8 +130,10 @@ public:
     SharedBoard(SharedBoard const&) = delete;
     SharedBoard& operator=(SharedBoard const&) = delete;
 
+    /// All of it, also where this group has no answers: nothing passes from one child to another.
     void wipe(std::size_t words)
     {
+        std::memset(memory_, 0, size_);
         board() = Blackboard{};
         std::fill_n(answers(), words, unanswered);
     }
@@ -137,6 +141,8 @@ public:
     std::uint32_t* answers() const { return reinterpret_cast<std::uint32_t*>(&board() + 1); }
 
 private:
+    static constexpr std::size_t page = 4096;
+
     std::size_t size_;
     void* memory_;
 };

@@ -163,17 +163,24 @@ private:
         while (end < text_.size() && continues_name(text_[end]))
             ++end;
         if (end < text_.size() && text_[end] == '"' && is_raw_prefix(text_.substr(at_, end - at_)))
-            return skip_raw_string(end + 1);
+            if (std::size_t const open = raw_string_begin(end + 1); open != std::string_view::npos)
+                return skip_raw_string(end + 1, open);
         add(end, true);
     }
 
-    void skip_raw_string(std::size_t delimiter)
+    /// The parenthesis behind a delimiter, which has at most 16 characters and is no sentence; or npos.
+    std::size_t raw_string_begin(std::size_t delimiter) const
     {
-        std::size_t const open = text_.find('(', delimiter);
-        if (open == std::string_view::npos) {
-            at_ = text_.size();
-            return;
-        }
+        constexpr std::size_t longest = 16;
+        std::size_t const open = text_.substr(0, delimiter + longest + 1).find('(', delimiter);
+        bool const is_one =
+            open != std::string_view::npos &&
+            text_.substr(delimiter, open - delimiter).find_first_of(") \\\t\n\v\f\r\"") == std::string_view::npos;
+        return is_one ? open : std::string_view::npos;
+    }
+
+    void skip_raw_string(std::size_t delimiter, std::size_t open)
+    {
         std::string const mark = ")" + std::string(text_.substr(delimiter, open - delimiter)) + "\"";
         skip_behind(mark, open);
     }
