@@ -101,7 +101,7 @@ std::optional<Report> Store::find(std::string const& key) const
 
 fs::path Store::begin(std::string const& key) const
 {
-    auto const folder = root_ / "work" / key;
+    fs::path folder = root_ / "work" / key;
     fs::remove_all(folder);
     return folder;
 }
