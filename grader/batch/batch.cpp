@@ -129,10 +129,10 @@ std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOpt
     std::vector<Job> jobs;
     for (auto const& [key, job] : missing)
         jobs.push_back(job);
+    auto const overrides = read_overrides(options.out / "overrides.json");  // first: mistakes in it are told at once
     Grading grading(options, store);
     if (!jobs.empty())
         grading.grade(jobs);
-    auto const overrides = read_overrides(options.out / "overrides.json");
     for (auto& entry : entries) {
         auto const found = store.find(entry.key);
         if (found)
@@ -152,6 +152,12 @@ void link_or_copy(fs::path const& from, fs::path const& to)
         fs::copy_file(from, to, fs::copy_options::overwrite_existing);
 }
 
+bool is_ours(fs::path const& entry)
+{
+    std::string const name = entry.filename().string();
+    return name == "report.json" || name == "report.txt" || name == "results.json" || name == "pictures";
+}
+
 void write_report(GradedUpload const& entry, fs::path const& results, fs::path const& folder, Language language)
 {
     fs::path const part = folder.string() + ".part";
@@ -163,19 +169,26 @@ void write_report(GradedUpload const& entry, fs::path const& results, fs::path c
     write_file(part / "report.json", to_text(entry.report));
     write_file(part / "report.txt", report_to_text(entry.report, language));
     write_file(part / "results.json", to_gradescope({{entry.upload.student, entry.report}}, language));
+    if (fs::is_directory(folder))
+        for (auto const& other : fs::directory_iterator(folder))
+            if (!is_ours(other.path()))  // what a tutor has put there stays
+                fs::rename(other.path(), part / other.path().filename());
     fs::remove_all(folder);
     fs::rename(part, folder);
 }
 
-/// Students who are no longer in the input keep no report.
+/// Students who are no longer in the input keep no report, unless a tutor has put something beside it.
 void remove_others(std::vector<GradedUpload> const& entries, fs::path const& reports)
 {
     std::set<std::string> names;
     for (auto const& entry : entries)
         names.insert(entry.upload.student);
-    for (auto const& folder : fs::directory_iterator(reports))
-        if (names.count(folder.path().filename().string()) == 0)
+    for (auto const& folder : fs::directory_iterator(reports)) {
+        bool const is_only_ours =
+            std::all_of(fs::directory_iterator(folder), {}, [](auto const& entry) { return is_ours(entry.path()); });
+        if (names.count(folder.path().filename().string()) == 0 && is_only_ours)
             fs::remove_all(folder.path());
+    }
 }
 
 void write_outputs(std::vector<GradedUpload> const& entries, std::string const& overview, BatchOptions const& options)
@@ -208,18 +221,26 @@ void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const
         std::any_of(entries.begin(), entries.end(), [](auto const& e) { return !e.upload.team.empty(); });
     write("status.xlsx", [&](fs::path const& file) { write_status_sheet(entries, teams, options.language, file); });
 }
-}  // namespace
 
-namespace {
+/// One upload that sim_c++ cannot read, or for ever, costs the list and nothing else.
 void write_similarity(Intake const& intake, fs::path const& scratch, BatchOptions const& options)
 {
     std::vector<Upload> earlier;
-    for (auto const& input : options.earlier) {
-        auto const before = take_in(input, scratch / std::to_string(earlier.size()), std::nullopt).uploads;
+    for (std::size_t i = 0; i < options.earlier.size(); ++i) {
+        auto const before =
+            take_in(options.earlier[i], scratch / ("earlier-" + std::to_string(i)), std::nullopt).uploads;
         earlier.insert(earlier.end(), before.begin(), before.end());
     }
-    write_atomically(options.out / "similarity.txt",
-                     similarity_to_text(find_similar(intake.uploads, earlier), options.language));
+    std::string text;
+    try {
+        text = similarity_to_text(find_similar(intake.uploads, earlier), options.language);
+    } catch (Interrupted const&) {
+        throw;
+    } catch (std::runtime_error const& e) {
+        text = std::string("The uploads were not compared: ") + e.what() + "\n";
+        std::cerr << "testat: " << text;
+    }
+    write_atomically(options.out / "similarity.txt", text);
 }
 }  // namespace
 
@@ -236,12 +257,14 @@ bool batch(BatchOptions const& options)
     Intake const intake = take_in(options.input, scratch.path() / "input", parse_deadline(deadline));
     auto const entries = grade_all(intake.uploads, options, store);
 
+    bool const all_graded =
+        std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });
     Applied const applied(options.out / store_name / "applied.json");
     std::string const changes = applied.changes(entries, options.out / store_name / "results", options.language);
     if (!changes.empty() && !options.apply) {
         std::cout << "Points change though the files are the same:\n"
                   << changes << "Nothing was written; --apply does.\n";
-        return true;
+        return all_graded;
     }
     std::string const overview = summary(entries, intake.remarks, options.language);
     write_outputs(entries, overview, options);
@@ -251,6 +274,6 @@ bool batch(BatchOptions const& options)
         write_similarity(intake, scratch.path(), options);
     applied.remember(entries);
     std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
-    return std::all_of(entries.begin(), entries.end(), [](GradedUpload const& entry) { return entry.is_graded(); });
+    return all_graded;
 }
 }  // namespace testat

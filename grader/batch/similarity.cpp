@@ -72,6 +72,7 @@ std::string run_sim(std::vector<std::string> const& arguments, Texts const& text
     caged.command.directory = texts.folder();
     caged.command.cpu_s = 300;
     caged.command.wall_s = 600;
+    caged.command.address_space = std::size_t(2) << 30;
     caged.sees = library_directories();
     caged.sees.emplace_back("/usr/bin/sim_c++");
     caged.sees.push_back(texts.folder());

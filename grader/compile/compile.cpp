@@ -116,7 +116,7 @@ struct Compiler {
 /// A full disk is our trouble, whatever the compiler says about it.
 void check_space(std::filesystem::path const& directory)
 {
-    constexpr std::uintmax_t enough = 16 << 20;
+    constexpr std::uintmax_t enough = compiler_file_size + (16 << 20);
     if (std::filesystem::space(directory).available < enough)
         throw std::runtime_error("no space left in " + directory.string());
 }
@@ -232,6 +232,8 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
     if (finished.exit_code != 0 && !finished.timed_out && !header.empty())
         finished = compiler(compiler_call(options, where, {}));
     if (finished.exit_code != 0 || !is_plain_file(compiler.directory / library_name)) {
+        // What the upload has written must not make a full disk of it.
+        std::filesystem::remove(compiler.directory / library_name);
         check_space(compiler.directory);
         if (!finished.timed_out)
             check_toolchain(compiler_call(options, where, header), compiler);
@@ -262,6 +264,7 @@ Build compile(Submission const& submission, CompileOptions const& options, std::
     build.untouched = same_bodies(submission.text, text_of(where.exercise_template));
     write_source(submission.text, directory);
     std::filesystem::create_directory(directory / output_name);
+    check_space(directory);
     cage.show(directory);
     cage.hand_over(directory / output_name);
     run_compiler(submission, options, {where, directory, cage}, build);

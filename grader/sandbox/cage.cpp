@@ -72,7 +72,7 @@ Arguments mounts(Caged const& caged, fs::path const& confine)
         append(all, {"--perms", "1777", "--size", "268435456", "--tmpfs", "/tmp"});
     append(all, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin", "/bin"});
     std::vector<fs::path> above = caged.sees;
-    above.push_back(confine);
+    above.insert(above.end(), {confine, "/dev/null"});
     if (caged.writes)
         above.push_back(*caged.writes);
     append(all, folders_above(above));

@@ -8,15 +8,15 @@
 // Theory of operation. A stranger's file is dangerous twice: while it is compiled (a compiler reads any file, and can
 // be made to compute for ever) and while it runs. Both happen in a cage, which is put up anew for each program:
 //
-//   testat --fork--> bwrap --mounts, namespaces--> confine --user, limits, filter--> g++ | nm | probe --fork-->
-//   children
+//   testat --fork--> bwrap --mounts, namespaces--> confine --user, filter, limits--> g++ | nm | probe --> children
 //
 //   1. bwrap (bubblewrap) starts with the minimal environment of run() and makes new namespaces: no network, no other
 //      process, no System V memory, no mount but what the command sees. Everything is read-only, but for the directory
 //      the result goes to and a /tmp of limited size, for a compiler only. There is no /proc, and of /dev only null.
-//   2. confine becomes the slot's user (slot.h; as root only), sets the limits of the kernel, gives up new privileges,
-//      loads the filter of system calls that refuses what neither compiler nor probe needs, says on a pipe that the
-//      cage stands, and becomes the program. Without that word nothing has run, and the failure is ours.
+//   2. confine becomes the slot's user (slot.h; as root only), gives up new privileges, loads the filter of system
+//   calls
+//      that refuses what neither compiler nor probe needs, sets the limits of the kernel, says on a pipe that the cage
+//      stands, and becomes the program. Without that word nothing has run, and the failure is ours.
 //   3. The probe's children restrict themselves further before they load the upload: see probe/restrictions.h.
 //
 // A kill ends bwrap, and with it the kernel ends every process of its namespace. CPU time, wall time and memory have

@@ -5,7 +5,7 @@
              "7_S7_ES_IS8_S8_ES_IS9_S9_ES_ISA_SA_ES_ISB_SB_ES_ISC_SC_ES_ISD_SD_ES_ISE_SE_ES_ISF_SF_ES_IS" \
              "G_SG_ES_ISH_SH_ES_ISI_SI_ES_ISJ_SJ_ES_ISK_SK_ES_ISL_SL_ES_ISM_SM_ES_ISN_SN_ES_ISO_SO_E"
 #define BOMB(c) \
-    void c##c() asm("_Z1" #c TAIL); \
+    void c##c() asm("_Z12wrap_repeat" #c TAIL); \
     void c##c() {}
 BOMB(a) BOMB(b) BOMB(c) BOMB(d) BOMB(e) BOMB(f) BOMB(g) BOMB(h) BOMB(i) BOMB(j) BOMB(k) BOMB(l) BOMB(m) BOMB(n) BOMB(o)
 BOMB(p) BOMB(q) BOMB(r) BOMB(s) BOMB(t) BOMB(u) BOMB(v) BOMB(w) BOMB(x) BOMB(y) BOMB(z)

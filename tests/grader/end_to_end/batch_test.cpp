@@ -131,6 +131,29 @@ TEST_F(Batch, KeepsTheTutorsWord)
     EXPECT_EQ(report_of("anna").at("points").at("earned"), 12.0);
 }
 
+TEST_F(Batch, LeavesATutorsNotesAlone)
+{
+    run_batch();
+    write_file(out / "reports/anna/notes.txt", "mine");
+    write_file(out / "reports/carl/notes.txt", "mine, too");
+    fs::remove(input / "carl.cpp");
+    run_batch();
+    EXPECT_EQ(read_file(out / "reports/anna/notes.txt"), "mine");
+    EXPECT_EQ(read_file(out / "reports/carl/notes.txt"), "mine, too");
+    fs::remove(out / "reports/carl/notes.txt");
+    run_batch();
+    EXPECT_FALSE(fs::exists(out / "reports/carl"));
+}
+
+TEST_F(Batch, TellsMistakesInOverridesBeforeItGrades)
+{
+    fs::create_directories(out / ".testat");
+    write_file(out / "overrides.json", "[{}]");
+    Outcome const outcome = run_batch();
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_FALSE(contains(outcome.err, "Grading")) << outcome.err;
+}
+
 TEST_F(Batch, TouchesNoFolderThatIsNotItsOwn)
 {
     fs::create_directory(out);

@@ -89,7 +89,8 @@ TEST_F(NotGradable, RefusesABatchAtOnce)
 
 TEST_F(NotGradable, WithoutRoomToCompile)
 {
-    expect_reason(Prepared("mount -t tmpfs -o size=1m none tmp; dd if=/dev/zero of=tmp/fill bs=4k 2>/dev/null"), "");
+    expect_reason(Prepared("mount -t tmpfs -o size=1m none tmp; dd if=/dev/zero of=tmp/fill bs=4k 2>/dev/null"),
+                  "cannot write");
 }
 
 TEST_F(NotGradable, WithoutRoomForTheReport)
