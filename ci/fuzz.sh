@@ -39,7 +39,7 @@ for name in answers source report rubric table zip; do
     echo "$name"
     # Where the new inputs go comes first; the seeds are only read.
     mkdir -p -- "$build/corpus/$name"
-    "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -seed=1 -max_len=200000 -timeout=20 -rss_limit_mb=4096 \
+    "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -seed=1 -max_len=1048576 -timeout=20 -rss_limit_mb=4096 \
         -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/found/$name-" "$build/corpus/$name" \
         "$build/seeds/$name" >"$build/$name.log" 2>&1 || { tail -n 40 -- "$build/$name.log" && exit 1; }
     grep number_of_executed_units "$build/$name.log"

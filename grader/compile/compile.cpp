@@ -137,7 +137,7 @@ bool is_plain_file(std::filesystem::path const& file)
 
 Diagnostic failure_without_message(Finished const& compiler)
 {
-    std::string const why = compiler.timed_out     ? "the compiler needed more than 20 s and was stopped"
+    std::string const why = compiler.timed_out     ? "the compiler needed more than 20 s, or 3 GB, and was stopped"
                             : compiler.signal != 0 ? "the compiler crashed or ran out of memory"
                                                    : "the compiler failed: " + clean_text(compiler.output, 400);
     return {"", 0, 0, "error", why};

@@ -19,19 +19,25 @@ struct Symbol {
     std::string name;
 };
 
+struct Symbols {
+    std::vector<Symbol> list;
+    bool cut = false;  ///< there are more
+};
+
 /// What nm cannot read has no symbols: it was a stranger's text that told the linker what to write.
-std::vector<Symbol> read_symbols(std::filesystem::path const& library, Cage& cage)
+Symbols read_symbols(std::filesystem::path const& library, Cage& cage)
 {
     Caged nm{{{"nm", "-D", "--defined-only", library.string()}, "/", {}, 10, 30, nm_memory, 1}};
     nm.sees = compiler_directories();
     nm.sees.push_back(library);
     Finished const finished = cage.run(nm);
-    std::vector<Symbol> symbols;
+    Symbols symbols;
+    symbols.cut = finished.output.size() >= most_output;
     std::istringstream lines(finished.exit_code == 0 ? finished.output : "");
     std::string address;
     Symbol symbol;
     while (lines >> address >> symbol.type >> symbol.name)
-        symbols.push_back(symbol);
+        symbols.list.push_back(symbol);
     return symbols;
 }
 
@@ -122,20 +128,24 @@ std::string explain_missing(Function f, std::vector<Symbol> const& symbols, Cage
 SymbolReport check_symbols(std::filesystem::path const& library, std::string const& shown, Installation const& where,
                            Cage& cage)
 {
+    constexpr std::size_t most_duplicates = 20;
     auto const symbols = read_symbols(library, cage);
     auto const taken = framework_symbols(where);
     SymbolReport report;
-    for (auto const& symbol : symbols) {
+    if (symbols.cut)
+        report.duplicates.push_back(error(shown, "the file defines too many symbols, more than 1 MB of names"));
+    for (auto const& symbol : symbols.list) {
         for (Function f : every_function())
             if (symbol.name == info(f).symbol && (is_strong(symbol) || symbol.type == 'W'))
                 report.defined = report.defined.with(f);
-        if (is_strong(symbol) && (taken.count(symbol.name) > 0 || symbol.name == "main"))
+        if (report.duplicates.size() < most_duplicates && is_strong(symbol) &&
+            (taken.count(symbol.name) > 0 || symbol.name == "main"))
             report.duplicates.push_back(error(shown, "multiple definition: " + as_written(demangle(symbol.name)) +
                                                          " is part of the framework already"));
     }
     for (Function f : every_function())
         if (!report.defined.has(f))
-            report.missing[f] = error(shown, explain_missing(f, symbols, cage));
+            report.missing[f] = error(shown, explain_missing(f, symbols.list, cage));
     return report;
 }
 }  // namespace testat

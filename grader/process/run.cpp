@@ -1,5 +1,7 @@
 #include "process/run.h"
 
+#include "process/tree.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -104,8 +106,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts)
 
 void keep_output(std::string& kept, char const* data, std::size_t size)
 {
-    constexpr std::size_t most = 1 << 20;
-    kept.append(data, std::min(size, most - kept.size()));
+    kept.append(data, std::min(size, most_output - kept.size()));
 }
 
 /// What is in the pipe now; false once it is closed.
@@ -118,28 +119,58 @@ bool read_some(int pipe, std::string& output)
     return got > 0 || (got < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
+constexpr double look_again_s = 0.2;
+
 /// How long to wait for something to happen, in ms, with `left_s` seconds to go (infinite without a limit). A signal
 /// between the look at `interrupted` and the wait would else be lost until then.
 int wait_ms(double left_s)
 {
-    constexpr double look_again_s = 0.2;
     return static_cast<int>(std::ceil(std::min(left_s, look_again_s) * 1000));
 }
 
-/// Collects output until the child has ended or the time is up; true if it is up. What others who hold the pipe write
+/// What is asked again and again while a program runs.
+class Watch {
+public:
+    Watch(Command const& command, pid_t root) : command_(command), root_(root) {}
+
+    double left_s() const { return command_.wall_s > 0 ? command_.wall_s - seconds_since(start_) : HUGE_VAL; }
+
+    bool is_over() { return left_s() <= 0 || tree_is_over(); }
+
+private:
+    static double seconds_since(Clock::time_point then)
+    {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    }
+
+    /// A program that prints without end must not make us read /proc without end.
+    bool tree_is_over()
+    {
+        if (seconds_since(last_look_) < look_again_s || (command_.tree_cpu_s <= 0 && command_.tree_memory == 0))
+            return false;
+        last_look_ = Clock::now();
+        TreeUsage const usage = usage_of_tree(root_);
+        return (command_.tree_cpu_s > 0 && usage.cpu_s > command_.tree_cpu_s) ||
+               (command_.tree_memory > 0 && usage.memory > command_.tree_memory);
+    }
+
+    Command const& command_;
+    pid_t root_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_look_ = start_;
+};
+
+/// Collects output until the child has ended or used up a limit; true if it has. What others who hold the pipe write
 /// later is not waited for.
-bool attend(int child, int pipe, double wall_s, std::string& output)
+bool attend(int child, int pipe, Watch watch, std::string& output)
 {
-    auto const start = Clock::now();
     pollfd events[] = {{child, POLLIN, 0}, {pipe, POLLIN, 0}};
     for (;;) {
         if (interrupted)
             throw Interrupted();
-        double const elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-        double const left_s = wall_s > 0 ? wall_s - elapsed : HUGE_VAL;
-        if (left_s <= 0)
+        if (watch.is_over())
             return true;
-        if (poll(events, 2, wait_ms(left_s)) < 0) {
+        if (poll(events, 2, wait_ms(watch.left_s())) < 0) {
             if (errno != EINTR)
                 fail("waiting for a child process");
             continue;
@@ -231,7 +262,7 @@ Finished run(Command const& command)
     Descriptor const handle(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
     if (handle.get() < 0)
         fail("pidfd_open for " + program);
-    bool const late = attend(handle.get(), read_end.get(), command.wall_s, output);
+    bool const late = attend(handle.get(), read_end.get(), Watch(command, pid), output);
     Finished finished = child.end(late);
     finished.output = std::move(output);
     finished.timed_out = late || finished.signal == SIGXCPU ||

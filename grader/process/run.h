@@ -8,24 +8,29 @@
 #include <vector>
 
 namespace testat {
-/// A program to run to its end, with limits that the kernel enforces. Zero means no limit.
+/// A program to run to its end, with limits. Zero means no limit.
 struct Command {
     std::vector<std::string> argv;  ///< argv[0] is looked up in PATH unless it contains a slash
     std::filesystem::path directory = "/";
     std::vector<std::pair<int, int>> descriptors;  ///< {ours, theirs}; stdin, stdout and stderr are taken care of
-    double cpu_s = 0;
+    double cpu_s = 0;                              ///< for each process; the kernel enforces this and the next but one
     double wall_s = 0;
-    std::size_t address_space = 0;            ///< bytes
-    std::size_t file_size = 0;                ///< bytes
+    std::size_t address_space = 0;            ///< bytes, for each process
+    std::size_t file_size = 0;                ///< bytes, for each file
+    double tree_cpu_s = 0;                    ///< for the program and all that it starts; looked at five times a second
+    std::size_t tree_memory = 0;              ///< bytes, likewise
     std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment
 };
+
+/// What is kept of a program's output, in bytes.
+constexpr std::size_t most_output = 1 << 20;
 
 /// How it ended. Whether that is somebody's fault is for the caller to say.
 struct Finished {
     int exit_code = -1;  ///< -1 when a signal ended it
     int signal = 0;
-    bool timed_out = false;  ///< CPU or wall limit
-    std::string output;      ///< the first megabyte of stdout and stderr together
+    bool timed_out = false;  ///< a limit on time, or on the memory of all processes together
+    std::string output;      ///< the first `most_output` bytes of stdout and stderr together
     double cpu_s = 0;
 };
 

@@ -248,7 +248,7 @@ Cage::Cage(Confinement confinement, Allowance allowance) : allowance_(allowance)
 Allowance Cage::left() const
 {
     std::lock_guard<std::mutex> const lock(mutex_);
-    return {allowance_.cpu_s - spent_cpu_s_, allowance_.wall_s - (now_s() - start_s_)};
+    return {allowance_.cpu_s - spent_cpu_s_, allowance_.wall_s - (now_s() - start_s_), allowance_.memory};
 }
 
 Finished Cage::run(Caged const& caged)
@@ -262,6 +262,8 @@ Finished Cage::run(Caged const& caged)
     Caged limited = caged;
     limited.command.wall_s = std::min(caged.command.wall_s, most.wall_s);
     limited.command.cpu_s = std::min(caged.command.cpu_s, most.cpu_s);
+    limited.command.tree_cpu_s = most.cpu_s;
+    limited.command.tree_memory = allowance_.memory;
     finished = slot_ ? run_caged(limited, slot_->uid()) : testat::run(limited.command);
     finished.timed_out = finished.timed_out || is_out_of_cpu_time(finished, limited.command.cpu_s);
     std::lock_guard<std::mutex> const lock(mutex_);

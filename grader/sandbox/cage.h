@@ -14,13 +14,13 @@
 //      process, no System V memory, no mount but what the command sees. Everything is read-only, but for the directory
 //      the result goes to and a /tmp of limited size, for a compiler only. There is no /proc, and of /dev only null.
 //   2. confine becomes the slot's user (slot.h; as root only), gives up new privileges, loads the filter of system
-//   calls
-//      that refuses what neither compiler nor probe needs, sets the limits of the kernel, says on a pipe that the cage
-//      stands, and becomes the program. Without that word nothing has run, and the failure is ours.
+//      calls that refuses what neither compiler nor probe needs, sets the limits of the kernel, says on a pipe that the
+//      cage stands, and becomes the program. Without that word nothing has run, and the failure is ours.
 //   3. The probe's children restrict themselves further before they load the upload: see probe/restrictions.h.
 //
 // A kill ends bwrap, and with it the kernel ends every process of its namespace. CPU time, wall time and memory have
-// limits for each program; CPU and wall time of all programs of one upload add up to an allowance that the cage keeps.
+// limits for each process; CPU and wall time of all programs of one upload add up to an allowance that the cage keeps,
+// and what the processes of a program use together is looked at while it runs.
 // What runs inside sees its files under the paths they have outside, so that a header precompiled outside fits.
 //
 // Without a cage (--no-sandbox: somebody grades a file of his own) the same programs run with the same limits of time
@@ -34,10 +34,11 @@ struct Caged {
     bool temporary_files = false;                                ///< has a /tmp, of 256 MB
 };
 
-/// What all programs of one upload may use.
+/// What all programs of one upload may use; for what is left of it, see Cage.
 struct Allowance {
     double cpu_s = 60;
     double wall_s = 90;
+    std::size_t memory = std::size_t(3) << 30;  ///< bytes, of all processes at one time
 };
 
 enum class Confinement { cage, none };

@@ -32,17 +32,51 @@ public:
     }
 
 private:
-    bool looking_at(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+    /// Behind lines that are continued here: a backslash at the end of a line is as if it were not there.
+    std::size_t behind_splices(std::size_t at) const
+    {
+        for (;;) {
+            if (text_.substr(at, 2) == "\\\n")
+                at += 2;
+            else if (text_.substr(at, 3) == "\\\r\n")
+                at += 3;
+            else
+                return at;
+        }
+    }
+
+    bool starts_comment(char second) const
+    {
+        if (text_[at_] != '/')
+            return false;
+        std::size_t const next = behind_splices(at_ + 1);
+        return next < text_.size() && text_[next] == second;
+    }
+
+    void skip_block_comment()
+    {
+        std::size_t at = behind_splices(at_ + 1) + 1;
+        while ((at = text_.find('*', at)) != std::string_view::npos) {
+            at = behind_splices(at + 1);
+            if (at < text_.size() && text_[at] == '/') {
+                at_ = at + 1;
+                return;
+            }
+        }
+        at_ = text_.size();
+    }
 
     void step()
     {
         char const c = text_[at_];
         if (c == '\n' || std::isspace(static_cast<unsigned char>(c)) != 0)
             skip_space(c);
-        else if (looking_at("//"))
+        else if (std::size_t const end = behind_splices(at_); end != at_)
+            at_ = end;
+        else if (starts_comment('/'))
             skip_line();
-        else if (looking_at("/*"))
-            skip_behind("*/", at_ + 2);
+        else if (starts_comment('*'))
+            skip_block_comment();
         else if (c == '#' && line_start_)
             skip_directive();
         else
@@ -71,8 +105,10 @@ private:
     /// To the end of the line, with continued lines.
     void skip_line()
     {
-        while (at_ < text_.size() && text_[at_] != '\n')
-            at_ += looking_at("\\\n") ? 2 : looking_at("\\\r\n") ? 3 : 1;
+        while (at_ < text_.size() && text_[at_] != '\n') {
+            std::size_t const end = behind_splices(at_);
+            at_ = end == at_ ? at_ + 1 : end;
+        }
     }
 
     /// A preprocessor line; `#if 0` with all that it leaves out.

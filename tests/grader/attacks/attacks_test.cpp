@@ -1,5 +1,5 @@
-// Every attack ends as its first line says; it gains nothing, hurts nobody and tells nothing. Twins are shared, so all
-// of it runs as one process.
+// Every attack ends as its first line says; it gains nothing, hurts nobody and tells nothing. Twins are shared, so
+// many run as one process.
 #include "attacks/attack.h"
 
 #include <gtest/gtest.h>

@@ -117,6 +117,18 @@ TEST(Tasks, LimitTheMaximum)
     EXPECT_EQ(graded.report.at("functions").size(), 2u);
 }
 
+TEST(NoSandbox, IsToldByTheReport)
+{
+    TemporaryDirectory const place;
+    for (bool caged : {true, false}) {
+        auto const arguments = caged ? std::vector<std::string>{} : std::vector<std::string>{"--no-sandbox"};
+        Graded const graded = grade_file(reference_file(), place.path(), arguments);
+        EXPECT_EQ(graded.report.at("sandbox"), caged);
+        EXPECT_EQ(graded.report.at("points").at("total"), 20);
+        EXPECT_EQ(graded.out.find("Run without a cage (--no-sandbox)") == std::string::npos, caged) << graded.out;
+    }
+}
+
 TEST(Lenient, LeavesThePoliciesOut)
 {
     std::string const crashes = patched_reference(

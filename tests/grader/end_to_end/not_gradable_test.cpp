@@ -85,6 +85,28 @@ TEST_F(NotGradable, RefusesABatchAtOnce)
     EXPECT_EQ(prepared.finished.output.find("testat: there is no cage for uploads: bubblewrap is not installed"), 0u)
         << prepared.finished.output;
     EXPECT_EQ(prepared.finished.output.find("batch\n"), std::string::npos) << prepared.finished.output;
+    EXPECT_NE(prepared.finished.output.find("\n3\n"), std::string::npos) << prepared.finished.output;
+}
+
+TEST_F(NotGradable, RefusesToStressAnUpload)
+{
+    Prepared const prepared("mount --bind /dev/null /usr/bin/bwrap; " TESTAT_PROGRAM " stress " +
+                            reference_file().string() + " --out stress; echo $?; ls");
+    EXPECT_NE(prepared.finished.output.find("bubblewrap is not installed"), std::string::npos)
+        << prepared.finished.output;
+    EXPECT_NE(prepared.finished.output.find("\n3\n"), std::string::npos) << prepared.finished.output;
+    EXPECT_EQ(prepared.finished.output.find("stress\n"), std::string::npos) << prepared.finished.output;
+}
+
+TEST_F(NotGradable, IsExplainedByTheDoctor)
+{
+    Prepared const prepared("mount --bind /dev/null /usr/bin/bwrap; " TESTAT_PROGRAM " doctor; echo $?");
+    EXPECT_NE(
+        prepared.finished.output.find("cage for uploads: bubblewrap is not installed; to mend it: apt-get install "
+                                      "bubblewrap"),
+        std::string::npos)
+        << prepared.finished.output;
+    EXPECT_NE(prepared.finished.output.find("not ready\n3\n"), std::string::npos) << prepared.finished.output;
 }
 
 TEST_F(NotGradable, WithoutRoomToCompile)

@@ -174,6 +174,28 @@ TEST(Restrictions, ForbidCodeThatIsInNoFile)
     }
 }
 
+/// Only the descriptor that the loader opens next is an upload's.
+TEST(Restrictions, ForbidCodeFromOtherFiles)
+{
+    static Descriptor const file = memory_file("code");
+    ASSERT_EQ(ftruncate(file.get(), 4096), 0);
+    static int const high = fcntl(file.get(), F_DUPFD, 20);
+    auto const maps = [] { return mmap(nullptr, 4096, PROT_EXEC, MAP_PRIVATE, high, 0) != MAP_FAILED; };
+    EXPECT_TRUE(works(Stage::free, maps));
+    EXPECT_EQ(works(Stage::loading, maps), is_sanitized);
+}
+
+TEST(Restrictions, ForbidToMoveMemoryOverOther)
+{
+    auto const moves = [] {
+        auto const page = [] { return mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0); };
+        void* const there = page();
+        return mremap(page(), 4096, 4096, MREMAP_MAYMOVE | MREMAP_FIXED, there) == there;
+    };
+    EXPECT_TRUE(works(Stage::free, moves));
+    EXPECT_EQ(works(Stage::loading, moves), is_sanitized);
+}
+
 TEST(Restrictions, AllowThreadsToThoseWhoAskForThem)
 {
     auto const starts = [] {

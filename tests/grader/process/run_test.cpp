@@ -93,6 +93,28 @@ TEST(Run, EndsAtTheCpuLimit)
     EXPECT_TRUE(run(command).timed_out);
 }
 
+TEST(Run, EndsAtTheCpuLimitOfAllProcesses)
+{
+    // Each of them alone would compute for ever.
+    Command command = shell("for i in 1 2 3 4; do (while :; do :; done) & done; wait");
+    command.tree_cpu_s = 1;
+    EXPECT_TRUE(run(command).timed_out);
+    command = shell("while :; do /usr/bin/true; done");
+    command.tree_cpu_s = 1;
+    EXPECT_TRUE(run(command).timed_out);
+}
+
+TEST(Run, EndsAtTheMemoryLimitOfAllProcesses)
+{
+    std::string const takes_60_mb = "perl -e '$x = \"x\" x 60000000; sleep $ARGV[0]' ";
+    Command command = shell(takes_60_mb + "1");
+    command.tree_memory = 100 << 20;
+    EXPECT_FALSE(run(command).timed_out);
+    command = shell(takes_60_mb + "100 & " + takes_60_mb + "100");
+    command.tree_memory = 100 << 20;
+    EXPECT_TRUE(run(command).timed_out);
+}
+
 TEST(Run, LimitsMemoryAndFiles)
 {
     TemporaryDirectory const directory;

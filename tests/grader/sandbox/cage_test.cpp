@@ -1,8 +1,12 @@
 #include "sandbox/cage.h"
 
+#include "sandbox/system_calls.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sched.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -185,6 +189,22 @@ TEST(Cage, KeepsAnAllowanceOfCpuTime)
     EXPECT_EQ(next.output, "");
 }
 
+/// The kernel's limit would let each of them have it.
+TEST(Cage, KeepsAnAllowanceOfCpuTimeWhileManyCompute)
+{
+    Cage cage(Confinement::cage, {2, 60});
+    EXPECT_TRUE(cage.run(shell("for i in 1 2 3 4 5 6; do (while :; do :; done) & done; wait")).timed_out);
+    EXPECT_GT(cage.left().cpu_s, -5);
+}
+
+TEST(Cage, KeepsAnAllowanceOfMemory)
+{
+    std::string const takes_60_mb = "perl -e '$x = \"x\" x 60000000; sleep 100' ";
+    Cage cage(Confinement::cage, {60, 30, 100 << 20});
+    EXPECT_TRUE(cage.run(shell(takes_60_mb + "& " + takes_60_mb)).timed_out);
+    EXPECT_GT(cage.left().wall_s, 1) << "it was the clock that ended them";
+}
+
 TEST(Cage, KeepsAnAllowanceOfWallTime)
 {
     Cage cage(Confinement::cage, {60, 0.3});
@@ -232,5 +252,35 @@ TEST(Slots, AreDifferentUsers)
 TEST(CageTrouble, IsNoneWhereTheseTestsRun)
 {
     EXPECT_EQ(find_cage_trouble().problem, "");
+}
+
+/// The problem and its remedy as they are where the kernel does not know these calls.
+std::string trouble_without(std::vector<int> const& calls, std::vector<scmp_arg_cmp> const& conditions = {})
+{
+    Descriptor const words = memory_file("trouble");
+    pid_t const pid = fork();
+    if (pid == 0) {
+        SystemCallFilter filter(SCMP_ACT_ALLOW);
+        filter.add(SCMP_ACT_ERRNO(ENOSYS), calls, conditions);
+        filter.load();
+        CageTrouble const trouble = find_cage_trouble();
+        std::string const text = trouble.problem + "; " + trouble.remedy;
+        write_all(words.get(), text.data(), text.size());
+        _exit(0);
+    }
+    waitpid(pid, nullptr, 0);
+    char text[1000] = {};
+    EXPECT_GT(pread(words.get(), text, sizeof text - 1, 0), 0);
+    return text;
+}
+
+TEST(CageTrouble, NamesWhatTheKernelLacksAndWhereToGetIt)
+{
+    std::string const no_landlock = trouble_without({SCMP_SYS(landlock_create_ruleset)});
+    EXPECT_NE(no_landlock.find("the kernel has no Landlock; a kernel from 5.13 on"), std::string::npos) << no_landlock;
+    std::string const no_namespaces = trouble_without({SCMP_SYS(clone)}, {low_bits_are(0, CLONE_NEWPID, CLONE_NEWPID)});
+    EXPECT_NE(no_namespaces.find("namespace"), std::string::npos) << no_namespaces;
+    EXPECT_NE(no_namespaces.find(geteuid() == 0 ? "virtual machine" : "unprivileged_userns_clone"), std::string::npos)
+        << no_namespaces;
 }
 }  // namespace testat

@@ -25,6 +25,13 @@ TEST(Lex, IncludesThatDependOnSomethingAreLeftOut)
     EXPECT_EQ(lex("#include <a.h>\n#define M\n#include <b.h>\n").includes, Names{"a.h"});
 }
 
+TEST(Lex, CommentsBeginAndEndAcrossContinuedLines)
+{
+    EXPECT_EQ(lex("/\\\n/ a\n/\\\r\n* b *\\\n\\\n/ c").tokens.size(), 1u);
+    EXPECT_EQ(lex("/\\\n* no end *\\\n").tokens.size(), 0u);
+    EXPECT_EQ(lex("/ /\\\n").tokens.size(), 2u);
+}
+
 TEST(Lex, BrokenIncludesAreLeftOut)
 {
     EXPECT_EQ(lex("#include\n#include <a.h\n#include \"\n#include MACRO\n#include").includes, Names());
