@@ -92,6 +92,21 @@ std::string find_program(std::string const& program)
     return "";
 }
 
+/// The minimal environment, less what the command says otherwise: getenv would find the first of two.
+std::vector<std::string> environment_of(Command const& command)
+{
+    std::vector<std::string> all;
+    for (std::string const variable :
+         {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/", "TMPDIR=/tmp"}) {
+        std::string const start = variable.substr(0, variable.find('=') + 1);
+        if (std::none_of(command.variables.begin(), command.variables.end(),
+                         [&](std::string const& other) { return other.rfind(start, 0) == 0; }))
+            all.push_back(variable);
+    }
+    all.insert(all.end(), command.variables.begin(), command.variables.end());
+    return all;
+}
+
 /// As execve wants them, ended by null; they point into `texts`.
 std::vector<char*> pointers(std::vector<std::string>& texts)
 {
@@ -128,15 +143,15 @@ int wait_ms(double left_s)
 
 /// Collects output until the child has ended or the time is up; true if it is up. What others who hold the pipe write
 /// later is not waited for.
-bool attend(int child, int pipe, double wall_s, std::string& output)
+bool attend(int child, int pipe, Command const& command, std::string& output)
 {
     auto const start = Clock::now();
     pollfd events[] = {{child, POLLIN, 0}, {pipe, POLLIN, 0}};
     for (;;) {
-        if (interrupted)
+        if (interrupted && !command.despite_interrupts)
             throw Interrupted();
         double const elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-        double const left_s = wall_s > 0 ? wall_s - elapsed : HUGE_VAL;
+        double const left_s = command.wall_s > 0 ? command.wall_s - elapsed : HUGE_VAL;
         if (left_s <= 0)
             return true;
         if (poll(events, 2, wait_ms(left_s)) < 0) {
@@ -196,6 +211,16 @@ void catch_interrupts()
     sigaction(SIGTERM, &action, nullptr);
 }
 
+void wait_for(double seconds)
+{
+    auto const end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (double left_s = seconds; left_s > 0; left_s = std::chrono::duration<double>(end - Clock::now()).count()) {
+        if (interrupted)
+            throw Interrupted();
+        poll(nullptr, 0, wait_ms(left_s));
+    }
+}
+
 bool is_in_path(std::string const& program)
 {
     return !find_program(program).empty();
@@ -208,9 +233,7 @@ Finished run(Command const& command)
         throw std::runtime_error("cannot run '" + command.argv[0] + "': it is not installed");
     std::vector<std::string> arguments = command.argv;
     arguments[0] = program;
-    std::vector<std::string> variables = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/",
-                                          "TMPDIR=/tmp"};
-    variables.insert(variables.end(), command.variables.begin(), command.variables.end());
+    std::vector<std::string> variables = environment_of(command);
     auto const argv = pointers(arguments);
     auto const environment = pointers(variables);
 
@@ -231,7 +254,7 @@ Finished run(Command const& command)
     Descriptor const handle(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
     if (handle.get() < 0)
         fail("pidfd_open for " + program);
-    bool const late = attend(handle.get(), read_end.get(), command.wall_s, output);
+    bool const late = attend(handle.get(), read_end.get(), command, output);
     Finished finished = child.end(late);
     finished.output = std::move(output);
     finished.timed_out = late || finished.signal == SIGXCPU ||

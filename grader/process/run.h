@@ -17,7 +17,8 @@ struct Command {
     double wall_s = 0;
     std::size_t address_space = 0;            ///< bytes
     std::size_t file_size = 0;                ///< bytes
-    std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment
+    std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment or instead of it
+    bool despite_interrupts = false;          ///< runs to its end though Ctrl-C has arrived: what tidies up
 };
 
 /// How it ended. Whether that is somebody's fault is for the caller to say.
@@ -40,6 +41,9 @@ void catch_interrupts();
 /// Runs a command in a session of its own with a minimal environment, and waits; its whole process group is killed
 /// at the end. Throws std::runtime_error if the program cannot be started, Interrupted on Ctrl-C.
 Finished run(Command const& command);
+
+/// Waits. Throws Interrupted on Ctrl-C.
+void wait_for(double seconds);
 
 /// Whether a program of that name is in PATH and executable.
 bool is_in_path(std::string const& program);
