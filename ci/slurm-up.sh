@@ -1,6 +1,6 @@
 #!/bin/bash
-# Starts a Slurm cluster of two nodes, n1 and n2, with one CPU each on this machine, to try `testat batch --executor slurm`
-# and to test it. Where it runs already, only what is missing is started.
+# Starts a Slurm cluster of two nodes, n1 and n2, with one CPU each on this machine, to try and to test
+# `testat batch --executor slurm`. Where it runs already, only what is missing is started.
 #
 #   eval "$(ci/slurm-up.sh [STATE])"   prints "export SLURM_CONF=..." once both nodes are idle
 #   ci/slurm-up.sh --down [STATE]      ends all of it, and the tasks that run
@@ -74,11 +74,13 @@ PartitionName=main Nodes=n1,n2 Default=YES State=UP
 END
 }
 
-# runs NAME PROGRAM: PROGRAM lives as STATE/NAME.pid says. Not every container's first process buries the dead.
+# lives PID PROGRAM. Not every container's first process buries the dead.
+lives() { [[ $(cat "/proc/$1/comm" 2>/dev/null) == "$2" ]] && ! grep -qs '^State:.Z' "/proc/$1/status"; }
+
+# runs NAME PROGRAM: PROGRAM lives as STATE/NAME.pid says.
 runs() {
     local pid
-    pid=$(cat -- "$state/$1.pid" 2>/dev/null) && [[ $(cat "/proc/$pid/comm" 2>/dev/null) == "$2" ]] &&
-        ! grep -q '^State:.Z' "/proc/$pid/status"
+    pid=$(cat -- "$state/$1.pid" 2>/dev/null) && lives "$pid" "$2"
 }
 
 # start NAME COMMAND...: unless it runs. Daemons keep no hold of our output.
@@ -113,8 +115,8 @@ up() {
         (umask 077 && head -c 1024 /dev/urandom >"$state/munge.key")
     fi
     # Forced, because it wants everybody to reach its socket, and a temporary folder may be private.
-    start munged munged --force --key-file="$state/munge.key" --socket="$state/munge.socket" --pid-file="$state/munged.pid" \
-        --log-file="$state/munged.log" --seed-file="$state/munge.seed"
+    start munged munged --force --key-file="$state/munge.key" --socket="$state/munge.socket" \
+        --pid-file="$state/munged.pid" --log-file="$state/munged.log" --seed-file="$state/munge.seed"
     start slurmctld slurmctld
     start slurmd.n1 slurmd -N n1
     start slurmd.n2 slurmd -N n2
@@ -128,14 +130,14 @@ up() {
     fail "the nodes do not come up"
 }
 
-# end NAME PROGRAM: asks it to, and waits.
+# end NAME PROGRAM: asks it to, and waits. Its file goes before it does.
 end() {
     local pid
     runs "$1" "$2" || return 0
     pid=$(cat -- "$state/$1.pid")
     kill -- "$pid" 2>/dev/null || true
     for _ in {1..100}; do
-        runs "$1" "$2" || return 0
+        lives "$pid" "$2" || return 0
         sleep 0.1
     done
     kill -KILL -- "$pid" 2>/dev/null || true

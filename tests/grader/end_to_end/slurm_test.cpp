@@ -51,10 +51,8 @@ protected:
         ASSERT_EQ(up.exit_code, 0) << up.output;
         fs::create_directory(input);
         write_file(input / "anna.cpp", reference_text());
-        write_file(input / "bert.cpp", "int x");
-        for (int i = 0; i < 8; ++i)
-            write_file(input / fmt::format("student_{}.cpp", i),
-                       read_file(template_file()) + fmt::format("// {}\n", i));
+        for (int i = 0; i < 8; ++i)  // they take the least time
+            write_file(input / fmt::format("student_{}.cpp", i), fmt::format("int x{}", i));
     }
     void TearDown() override { EXPECT_EQ(slurm_up({"--down", state.string()}).exit_code, 0); }
 
