@@ -1,5 +1,6 @@
 // The command line of testat: what to do and with which exit code to end (DESIGN.md, Commands).
 #include "batch/batch.h"
+#include "batch/slurm.h"
 #include "diff/diff.h"
 #include "doctor.h"
 #include "grade.h"
@@ -206,6 +207,7 @@ struct StressCommand {
 struct BatchCommand {
     BatchOptions options;
     std::string language;
+    std::string executor = "local";
     bool no_resume = false;
 
     void add_to(CLI::App& app)
@@ -216,6 +218,9 @@ struct BatchCommand {
         options.at_once = std::max(1u, std::thread::hardware_concurrency());
         command->add_option("--jobs", options.at_once, "So many at a time (default: one for each core)")
             ->check(CLI::Range(1, 256));
+        command->add_option("--executor", executor, "local: here; slurm: on the cluster, --jobs tasks at a time")
+            ->check(CLI::IsMember({"local", "slurm"}))
+            ->capture_default_str();
         command->add_option("--deadline", options.deadline, "ISO 8601, instead of the rubric's");
         command->add_flag("--similarity", options.similarity, "List uploads that have much in common");
         command->add_option("--earlier", options.earlier, "Also compare with these inputs of other years");
@@ -235,8 +240,26 @@ struct BatchCommand {
     int run()
     {
         options.resume = !no_resume;
+        options.executor = executor == "slurm" ? Executor::slurm : Executor::local;
         options.language = ::language(language);
         return batch(options) ? done : not_gradable;
+    }
+};
+
+/// What a task of `batch --executor slurm` runs; not for people.
+struct GradePartCommand {
+    std::filesystem::path part;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("grade-part", "One task of batch --executor slurm")->group("");
+        command->add_option("PART", part)->required();
+    }
+
+    int run() const
+    {
+        grade_part(part);
+        return done;
     }
 };
 
@@ -265,6 +288,7 @@ struct Commands {
     BatchCommand batch;
     DiffCommand diff;
     GradeCommand grade;
+    GradePartCommand grade_part;
     RenderCommand render;
     StressCommand stress;
 };
@@ -279,6 +303,8 @@ int run_command(CLI::App const& app, Commands& commands)
         return commands.stress.run();
     if (app.got_subcommand("grade"))
         return commands.grade.run();
+    if (app.got_subcommand("grade-part"))
+        return commands.grade_part.run();
     if (app.got_subcommand("render"))
         return commands.render.run();
     return doctor(installation(), std::cout) ? done : not_gradable;
@@ -308,6 +334,7 @@ int main(int argc, char** argv)
     commands.batch.add_to(app);
     commands.diff.add_to(app);
     commands.grade.add_to(app);
+    commands.grade_part.add_to(app);
     commands.render.add_to(app);
     commands.stress.add_to(app);
     app.add_subcommand("doctor", "Say whether this machine can grade, and what is missing");

@@ -51,7 +51,7 @@ public:
         run(jobs, progress);
         std::vector<Job> again;
         for (auto const& job : jobs)
-            if (failures_.count(job.key) > 0)
+            if (failures_.count(job.key) > 0 && given_up_.count(job.key) == 0)
                 again.push_back(job);
         if (again.empty())
             return;
@@ -69,7 +69,8 @@ public:
 private:
     void run(std::vector<Job> const& jobs, Progress& progress)
     {
-        grade_here(jobs, options_.settings, options_.at_once, [&](Job const& job, Finished const& finished) {
+        Place const place{options_.executor, options_.at_once, options_.out / store_name / "slurm"};
+        grade_at(place, jobs, options_.settings, [&](Job const& job, Finished const& finished) {
             settle(job, finished);
             progress.step(one_line(job.name, 40));
         });
@@ -82,6 +83,8 @@ private:
             store_.keep(job.key);
         else
             failures_[job.key] = reason(job, finished);
+        if (was_given_up(finished))
+            given_up_.insert(job.key);
     }
 
     static std::string reason(Job const& job, Finished const& finished)
@@ -98,6 +101,7 @@ private:
     BatchOptions const& options_;
     Store const& store_;
     std::map<std::string, std::string> failures_;
+    std::set<std::string> given_up_;
 };
 
 Report not_gradable_report(Upload const& upload, BatchOptions const& options, std::string const& why)

@@ -13,6 +13,7 @@ namespace testat {
 struct BatchOptions {
     std::filesystem::path input;
     std::filesystem::path out;
+    Executor executor = Executor::local;
     std::size_t at_once = 1;
     std::string deadline;  ///< ISO 8601; empty: the rubric's
     bool resume = true;    ///< results of before count

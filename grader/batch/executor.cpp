@@ -1,5 +1,7 @@
 #include "batch/executor.h"
 
+#include "batch/slurm.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -63,5 +65,20 @@ void grade_here(std::vector<Job> const& jobs, GradeSettings const& settings, std
         worker.join();
     if (failure)
         std::rethrow_exception(failure);
+}
+
+void grade_at(Place const& place, std::vector<Job> const& jobs, GradeSettings const& settings, JobEnded const& ended)
+{
+    if (place.executor == Executor::local)
+        return grade_here(jobs, settings, place.at_once, ended);
+    SlurmSettings slurm;
+    slurm.folder = place.shared;
+    slurm.at_once = place.at_once;
+    grade_on_slurm(jobs, settings, slurm, ended);
+}
+
+bool was_given_up(Finished const& finished)
+{
+    return finished.exit_code < 0 && finished.signal == 0;
 }
 }  // namespace testat

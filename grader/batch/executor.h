@@ -32,6 +32,21 @@ using JobEnded = std::function<void(Job const&, Finished const&)>;
 void grade_here(std::vector<Job> const& jobs, GradeSettings const& settings, std::size_t at_once,
                 JobEnded const& ended);
 
+/// Where a batch is graded.
+enum class Executor { local, slurm };
+
+struct Place {
+    Executor executor = Executor::local;
+    std::size_t at_once = 1;       ///< processes here, or tasks of a cluster
+    std::filesystem::path shared;  ///< by the cluster's nodes: a folder for nothing else
+};
+
+/// The same at the place that was chosen, which may give jobs up. Throws std::runtime_error if it is not there.
+void grade_at(Place const& place, std::vector<Job> const& jobs, GradeSettings const& settings, JobEnded const& ended);
+
+/// Whether a job was never run to its end, though that was tried several times.
+bool was_given_up(Finished const& finished);
+
 /// The command line of such a process.
 std::vector<std::string> grade_command(Job const& job, GradeSettings const& settings);
 }  // namespace testat

@@ -94,6 +94,21 @@ std::string find_program(std::string const& program)
     return "";
 }
 
+/// The minimal environment, less what the command says otherwise: getenv would find the first of two.
+std::vector<std::string> environment_of(Command const& command)
+{
+    std::vector<std::string> all;
+    for (std::string const variable :
+         {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/", "TMPDIR=/tmp"}) {
+        std::string const start = variable.substr(0, variable.find('=') + 1);
+        if (std::none_of(command.variables.begin(), command.variables.end(),
+                         [&](std::string const& other) { return other.rfind(start, 0) == 0; }))
+            all.push_back(variable);
+    }
+    all.insert(all.end(), command.variables.begin(), command.variables.end());
+    return all;
+}
+
 /// As execve wants them, ended by null; they point into `texts`.
 std::vector<char*> pointers(std::vector<std::string>& texts)
 {
@@ -162,11 +177,11 @@ private:
 
 /// Collects output until the child has ended or used up a limit; true if it has. What others who hold the pipe write
 /// later is not waited for.
-bool attend(int child, int pipe, Watch watch, std::string& output)
+bool attend(int child, int pipe, Command const& command, Watch watch, std::string& output)
 {
     pollfd events[] = {{child, POLLIN, 0}, {pipe, POLLIN, 0}};
     for (;;) {
-        if (interrupted)
+        if (interrupted && !command.despite_interrupts)
             throw Interrupted();
         if (watch.is_over())
             return true;
@@ -227,6 +242,16 @@ void catch_interrupts()
     sigaction(SIGTERM, &action, nullptr);
 }
 
+void wait_for(double seconds)
+{
+    auto const end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (double left_s = seconds; left_s > 0; left_s = std::chrono::duration<double>(end - Clock::now()).count()) {
+        if (interrupted)
+            throw Interrupted();
+        poll(nullptr, 0, wait_ms(left_s));
+    }
+}
+
 bool is_in_path(std::string const& program)
 {
     return !find_program(program).empty();
@@ -239,9 +264,7 @@ Finished run(Command const& command)
         throw std::runtime_error("cannot run '" + command.argv[0] + "': it is not installed");
     std::vector<std::string> arguments = command.argv;
     arguments[0] = program;
-    std::vector<std::string> variables = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/",
-                                          "TMPDIR=/tmp"};
-    variables.insert(variables.end(), command.variables.begin(), command.variables.end());
+    std::vector<std::string> variables = environment_of(command);
     auto const argv = pointers(arguments);
     auto const environment = pointers(variables);
 
@@ -262,7 +285,7 @@ Finished run(Command const& command)
     Descriptor const handle(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
     if (handle.get() < 0)
         fail("pidfd_open for " + program);
-    bool const late = attend(handle.get(), read_end.get(), Watch(command, pid), output);
+    bool const late = attend(handle.get(), read_end.get(), command, Watch(command, pid), output);
     Finished finished = child.end(late);
     finished.output = std::move(output);
     finished.timed_out = late || finished.signal == SIGXCPU ||

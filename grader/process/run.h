@@ -19,7 +19,8 @@ struct Command {
     std::size_t file_size = 0;                ///< bytes, for each file
     double tree_cpu_s = 0;                    ///< for the program and all that it starts; looked at five times a second
     std::size_t tree_memory = 0;              ///< bytes, likewise
-    std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment
+    std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment or instead of it
+    bool despite_interrupts = false;          ///< runs to its end though Ctrl-C has arrived: what tidies up
 };
 
 /// What is kept of a program's output, in bytes.
@@ -45,6 +46,9 @@ void catch_interrupts();
 /// Runs a command in a session of its own with a minimal environment, and waits; its whole process group is killed
 /// at the end. Throws std::runtime_error if the program cannot be started, Interrupted on Ctrl-C.
 Finished run(Command const& command);
+
+/// Waits. Throws Interrupted on Ctrl-C.
+void wait_for(double seconds);
 
 /// Whether a program of that name is in PATH and executable.
 bool is_in_path(std::string const& program);

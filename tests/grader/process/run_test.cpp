@@ -242,6 +242,13 @@ TEST(Run, AddsVariablesToTheEnvironment)
     EXPECT_NE(run(command).output.find("TMPDIR=/tmp\nTESTAT_A=1\nTESTAT_B=x y\n"), std::string::npos);
 }
 
+TEST(Run, HasEachVariableOnce)
+{
+    Command command = program({"env"});
+    command.variables = {"TMPDIR=/elsewhere"};
+    EXPECT_EQ(run(command).output, "PATH=/usr/local/bin:/usr/bin:/bin\nLC_ALL=C.UTF-8\nHOME=/\nTMPDIR=/elsewhere\n");
+}
+
 TEST(Run, CountsCpuTime)
 {
     EXPECT_GT(run(shell("i=0; while [ $i -lt 20000 ]; do i=$((i+1)); done")).cpu_s, 0);
