@@ -99,6 +99,24 @@ address_sanitizer() {
     tests asan --label-exclude release-only --no-tests=error
 }
 
+# The cage of somebody who is not root is another one: with a user namespace. So are a few attacks from within.
+as_another_user() {
+    local folder user=65534
+    folder=$(mktemp -d)
+    # shellcheck disable=SC2064  # now, while the name is known
+    trap "rm -rf -- '$folder'" EXIT
+    chown "$user:$user" "$folder"
+    local -a become=(setpriv "--reuid=$user" "--regid=$user" --clear-groups env "HOME=$folder" "TMPDIR=$folder")
+    local -a attacks=(opens_the_solution kills_its_parents starts_processes_without_end becomes_root makes_namespaces
+        embeds_the_environment takes_all_memory leaves_a_note_behind_the_answers)
+    "${become[@]}" build/release/grader/testat doctor
+    quietly another-user "${become[@]}" build/release/tests/grader/grader_tests \
+        --gtest_filter='Cage*:Cage/*:*Restrict*' --gtest_output="xml:$folder/another-user.xml"
+    cp -- "$folder/another-user.xml" "$results/"
+    "${become[@]}" build/release/grader/testat grade references/exercise_03.cpp --out "$folder/report" | grep '20.00'
+    "${become[@]}" build/release/tests/grader/attacks/attack_table "${attacks[@]}"
+}
+
 fuzz() { with_steady_addresses asan ci/fuzz.sh 15; }
 
 # The target thread_tests builds the tests labelled `threads`; nothing else has to be built for them.
@@ -171,6 +189,7 @@ step "format" quietly format format
 step "shell scripts" scripts
 step "build" build release
 step "tests" tests release --no-tests=error
+((EUID)) || step "as another user than root" as_another_user
 step "the template's own build" template
 if ((!quick)); then
     step "address and undefined behaviour sanitizers" address_sanitizer

@@ -124,7 +124,7 @@ TEST(NoSandbox, IsToldByTheReport)
         auto const arguments = caged ? std::vector<std::string>{} : std::vector<std::string>{"--no-sandbox"};
         Graded const graded = grade_file(reference_file(), place.path(), arguments);
         EXPECT_EQ(graded.report.at("sandbox"), caged);
-        EXPECT_EQ(graded.report.at("points").at("total"), 20);
+        EXPECT_EQ(graded.report.at("points").at("earned"), 20);
         EXPECT_EQ(graded.out.find("Run without a cage (--no-sandbox)") == std::string::npos, caged) << graded.out;
     }
 }

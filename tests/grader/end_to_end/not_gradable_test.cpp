@@ -91,11 +91,10 @@ TEST_F(NotGradable, RefusesABatchAtOnce)
 TEST_F(NotGradable, RefusesToStressAnUpload)
 {
     Prepared const prepared("mount --bind /dev/null /usr/bin/bwrap; " TESTAT_PROGRAM " stress " +
-                            reference_file().string() + " --out stress; echo $?; ls");
+                            reference_file().string() + " --out stress; echo $?");
     EXPECT_NE(prepared.finished.output.find("bubblewrap is not installed"), std::string::npos)
         << prepared.finished.output;
     EXPECT_NE(prepared.finished.output.find("\n3\n"), std::string::npos) << prepared.finished.output;
-    EXPECT_EQ(prepared.finished.output.find("stress\n"), std::string::npos) << prepared.finished.output;
 }
 
 TEST_F(NotGradable, IsExplainedByTheDoctor)

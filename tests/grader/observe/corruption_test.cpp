@@ -41,13 +41,14 @@ struct Stream {
     Bytes bytes;
 };
 
-/// The checks that the answers pass.
+/// The checks with points that the answers pass. Relations have none: they only take away what a table of answers
+/// earns.
 Names passed(Stream const& stream, Bytes const& bytes)
 {
     Names names;
     Observations const observations = decode_answers(stream.request, bytes);
     for (auto const& check : unit_checks())
-        if (check.judge(observations.groups.at(check.name), stream.textures).passed())
+        if (!check.is_metamorphic && check.judge(observations.groups.at(check.name), stream.textures).passed())
             names.insert(check.name);
     return names;
 }
@@ -106,7 +107,7 @@ TEST(CorruptedAnswers, EarnNothingNew)
 {
     Stream const stream;
     Names const earned = passed(stream, stream.bytes);
-    EXPECT_GE(earned.size(), unit_checks().size() / 2);
+    EXPECT_GE(earned.size(), unit_checks().size() / 4);
     EXPECT_LT(earned.size(), unit_checks().size());
     constexpr unsigned corruptions = 1000;
     for (unsigned seed = 1; seed <= corruptions; ++seed) {
@@ -114,7 +115,8 @@ TEST(CorruptedAnswers, EarnNothingNew)
         Vandal(seed).damage(bytes);
         try {
             Names const now = passed(stream, bytes);
-            EXPECT_TRUE(std::includes(earned.begin(), earned.end(), now.begin(), now.end())) << "seed " << seed;
+            for (auto const& name : now)
+                EXPECT_EQ(earned.count(name), 1u) << name << ", seed " << seed;
         } catch (std::runtime_error const& e) {
             EXPECT_STREQ(e.what(), "the probe did not start") << "seed " << seed;
         }

@@ -106,12 +106,13 @@ TEST(Run, EndsAtTheCpuLimitOfAllProcesses)
 
 TEST(Run, EndsAtTheMemoryLimitOfAllProcesses)
 {
-    std::string const takes_60_mb = "perl -e '$x = \"x\" x 60000000; sleep $ARGV[0]' ";
-    Command command = shell(takes_60_mb + "1");
-    command.tree_memory = 100 << 20;
+    // The text and what it was made from.
+    std::string const takes_120_mb = "perl -e '$x = \"x\" x 60000000; sleep $ARGV[0]' ";
+    Command command = shell(takes_120_mb + "1");
+    command.tree_memory = 200 << 20;
     EXPECT_FALSE(run(command).timed_out);
-    command = shell(takes_60_mb + "100 & " + takes_60_mb + "100");
-    command.tree_memory = 100 << 20;
+    command = shell(takes_120_mb + "100 & " + takes_120_mb + "100");
+    command.tree_memory = 200 << 20;
     EXPECT_TRUE(run(command).timed_out);
 }
 

@@ -199,9 +199,9 @@ TEST(Cage, KeepsAnAllowanceOfCpuTimeWhileManyCompute)
 
 TEST(Cage, KeepsAnAllowanceOfMemory)
 {
-    std::string const takes_60_mb = "perl -e '$x = \"x\" x 60000000; sleep 100' ";
-    Cage cage(Confinement::cage, {60, 30, 100 << 20});
-    EXPECT_TRUE(cage.run(shell(takes_60_mb + "& " + takes_60_mb)).timed_out);
+    std::string const takes_120_mb = "perl -e '$x = \"x\" x 60000000; sleep 100' ";
+    Cage cage(Confinement::cage, {60, 30, 200 << 20});
+    EXPECT_TRUE(cage.run(shell(takes_120_mb + "& " + takes_120_mb)).timed_out);
     EXPECT_GT(cage.left().wall_s, 1) << "it was the clock that ended them";
 }
 
