@@ -44,7 +44,7 @@ std::string slurm_program(std::string const& name)
     char const* const path = std::getenv("PATH");
     std::istringstream folders(path == nullptr ? "" : path);
     for (std::string folder; std::getline(folders, folder, ':');) {
-        std::string const program = folder + "/" + name;
+        std::string program = folder + "/" + name;
         if (fs::path(folder).is_absolute() && access(program.c_str(), X_OK) == 0)
             return program;
     }
@@ -68,7 +68,7 @@ std::string job_number(std::string const& output)
 {
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
-        std::string const number = line.substr(0, line.find(';'));
+        std::string number = line.substr(0, line.find(';'));
         if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
             return number;
     }
