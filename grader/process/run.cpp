@@ -150,7 +150,13 @@ public:
 
     double left_s() const { return command_.wall_s > 0 ? command_.wall_s - seconds_since(start_) : HUGE_VAL; }
 
-    bool is_over() { return left_s() <= 0 || tree_is_over(); }
+    /// Throws Interrupted on Ctrl-C.
+    bool is_over()
+    {
+        if (interrupted && !command_.despite_interrupts)
+            throw Interrupted();
+        return left_s() <= 0 || tree_is_over();
+    }
 
 private:
     static double seconds_since(Clock::time_point then)
@@ -177,12 +183,10 @@ private:
 
 /// Collects output until the child has ended or used up a limit; true if it has. What others who hold the pipe write
 /// later is not waited for.
-bool attend(int child, int pipe, Command const& command, Watch watch, std::string& output)
+bool attend(int child, int pipe, Watch watch, std::string& output)
 {
     pollfd events[] = {{child, POLLIN, 0}, {pipe, POLLIN, 0}};
     for (;;) {
-        if (interrupted && !command.despite_interrupts)
-            throw Interrupted();
         if (watch.is_over())
             return true;
         if (poll(events, 2, wait_ms(watch.left_s())) < 0) {
@@ -285,7 +289,7 @@ Finished run(Command const& command)
     Descriptor const handle(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
     if (handle.get() < 0)
         fail("pidfd_open for " + program);
-    bool const late = attend(handle.get(), read_end.get(), command, Watch(command, pid), output);
+    bool const late = attend(handle.get(), read_end.get(), Watch(command, pid), output);
     Finished finished = child.end(late);
     finished.output = std::move(output);
     finished.timed_out = late || finished.signal == SIGXCPU ||

@@ -13,10 +13,10 @@ struct Command {
     std::vector<std::string> argv;  ///< argv[0] is looked up in PATH unless it contains a slash
     std::filesystem::path directory = "/";
     std::vector<std::pair<int, int>> descriptors;  ///< {ours, theirs}; stdin, stdout and stderr are taken care of
-    double cpu_s = 0;                              ///< for each process; the kernel enforces this and the next but one
+    double cpu_s = 0;                              ///< for each process; the kernel enforces it
     double wall_s = 0;
-    std::size_t address_space = 0;            ///< bytes, for each process
-    std::size_t file_size = 0;                ///< bytes, for each file
+    std::size_t address_space = 0;            ///< bytes, for each process; the kernel enforces it
+    std::size_t file_size = 0;                ///< bytes, for each file; the kernel enforces it
     double tree_cpu_s = 0;                    ///< for the program and all that it starts; looked at five times a second
     std::size_t tree_memory = 0;              ///< bytes, likewise
     std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment or instead of it
