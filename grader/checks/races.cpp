@@ -59,11 +59,15 @@ bool all_same(Answers const& answers)
     return true;
 }
 
+/// Time that is up says nothing: more is rendered here than with one thread alone.
 bool may_race(Answers const* answers)
 {
-    if (answers == nullptr || answers->status.ended == Ended::lost || answers->status.ended == Ended::not_loaded)
+    if (answers == nullptr)
         return false;
-    return answers->status.ended != Ended::answered || !all_same(*answers);
+    Ended const ended = answers->status.ended;
+    if (ended == Ended::lost || ended == Ended::not_loaded || ended == Ended::timed_out)
+        return false;
+    return ended != Ended::answered || !all_same(*answers);
 }
 
 /// Whether the renderings with one thread are those of `once`.

@@ -221,6 +221,15 @@ TEST_F(Remarks, TellRacesThatCrash)
     EXPECT_EQ(found(), Ids{"races"});
 }
 
+TEST_F(Remarks, TakeTimeThatIsUpForNoRace)
+{
+    again().status.wrote = 1;
+    look_into_differences();
+    difference("threads").status.ended = Ended::timed_out;
+    spoil_rendering(difference("threads"));
+    EXPECT_EQ(found(), Ids{});
+}
+
 TEST_F(Remarks, TakeNoDifferenceWithOneThreadForARace)
 {
     again().status.wrote = 1;
