@@ -20,10 +20,11 @@ std::vector<std::string> variables()
 
 std::vector<std::string> grade_command(Job const& job, GradeSettings const& settings)
 {
+    // It runs in another folder.
     std::vector<std::string> command{std::filesystem::canonical(settings.program),
                                      "grade",
                                      "--out",
-                                     job.out,
+                                     std::filesystem::absolute(job.out),
                                      "--seed",
                                      std::to_string(settings.seed),
                                      "--compiler",

@@ -66,6 +66,15 @@ TEST_F(Batch, WritesGradesReportsAndASummary)
         EXPECT_TRUE(fs::exists(out / file)) << file;
 }
 
+TEST_F(Batch, TakesRelativePaths)
+{
+    for (char const* name : {"anna.cpp", "carl.cpp"})
+        fs::remove(input / name);
+    Outcome const outcome = run_testat({"batch", fs::relative(input).string(), "--out", fs::relative(out).string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(count(grades(), "\r\n"), 2u);
+}
+
 TEST_F(Batch, GradesTheSameFileOnce)
 {
     EXPECT_EQ(count(run_batch().err, "Grading "), 2u);
