@@ -114,7 +114,12 @@ Report not_gradable_report(Upload const& upload, BatchOptions const& options, st
 /// What was found for one content may be another student's file of another name.
 Report as_from(Upload const& upload, Report report)
 {
-    report["submission"]["file"] = one_line(upload.file.filename().string());
+    Report const graded_as = report.at("submission").at("file");
+    std::string const name = one_line(upload.file.filename().string());
+    report["submission"]["file"] = name;
+    for (auto& diagnostic : report.at("build").at("diagnostics"))
+        if (diagnostic.at("file") == graded_as)
+            diagnostic["file"] = name;
     return report;
 }
 

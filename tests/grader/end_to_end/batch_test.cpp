@@ -80,6 +80,14 @@ TEST_F(Batch, GradesTheSameFileOnce)
     EXPECT_EQ(count(run_batch().err, "Grading "), 2u);
 }
 
+TEST_F(Batch, NamesEachStudentsOwnFile)
+{
+    fs::copy_file(input / "bert.cpp", input / "dora.cpp");
+    run_batch();
+    for (char const* student : {"bert", "dora"})
+        EXPECT_EQ(report_of(student).at("build").at("diagnostics").at(0).at("file"), std::string(student) + ".cpp");
+}
+
 TEST_F(Batch, DoesOnlyWhatHasChanged)
 {
     run_batch();
