@@ -215,7 +215,8 @@ void write_outputs(std::vector<GradedUpload> const& entries, std::string const& 
     write_atomically(options.out / "summary.txt", overview);
 }
 
-/// What goes back to ILIAS, each file as a whole or not at all.
+/// What goes back to ILIAS, each file as a whole or not at all. Where some are in teams and some are not, teams have a
+/// sheet of their own: its rows are of another shape.
 void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const& title, BatchOptions const& options)
 {
     auto const write = [&](char const* name, auto const& writer) {
@@ -226,9 +227,17 @@ void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const
     write("feedback.zip", [&](fs::path const& file) {
         write_feedback_zip(entries, title, options.assignment, options.language, file);
     });
-    bool const teams =
-        std::any_of(entries.begin(), entries.end(), [](auto const& e) { return !e.upload.team.empty(); });
-    write("status.xlsx", [&](fs::path const& file) { write_status_sheet(entries, teams, options.language, file); });
+    auto const is_team = [](GradedUpload const& entry) { return !entry.upload.team.empty(); };
+    bool const teams = std::any_of(entries.begin(), entries.end(), is_team);
+    bool const others = !std::all_of(entries.begin(), entries.end(), is_team);
+    bool const both = teams && others;
+    write("status.xlsx",
+          [&](fs::path const& file) { write_status_sheet(entries, teams && !both, options.language, file); });
+    if (both)
+        write("status_teams.xlsx",
+              [&](fs::path const& file) { write_status_sheet(entries, true, options.language, file); });
+    else
+        fs::remove(options.out / "status_teams.xlsx");
 }
 
 /// One upload that sim_c++ cannot read, or for ever, costs the list and nothing else.

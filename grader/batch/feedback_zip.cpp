@@ -50,7 +50,7 @@ private:
 
 std::vector<std::string> folders_of(Upload const& upload)
 {
-    return upload.members.empty() ? std::vector<std::string>{upload.student} : upload.members;
+    return upload.members.empty() ? std::vector<std::string>{upload.folder} : upload.members;
 }
 }  // namespace
 

@@ -333,6 +333,7 @@ private:
         Candidate const& newest = group.files.front();
         Upload upload;
         upload.student = newest.folder;
+        upload.folder = intake_.is_ilias ? newest.folder : "";
         upload.team = group.team;
         if (!group.team.empty())
             upload.members.assign(group.folders.begin(), group.folders.end());
@@ -386,9 +387,14 @@ private:
             persons.push_back(parse_user_folder(folder)->person);
         Joined const joined = join(rows, persons);
         for (std::size_t i = 0; i < folders.size(); ++i)
-            for (Upload& upload : intake_.uploads)
-                if (upload.student == folders[i])
+            for (Upload& upload : intake_.uploads) {
+                bool const is_member =
+                    std::find(upload.members.begin(), upload.members.end(), folders[i]) != upload.members.end();
+                if (is_member && joined.submitters[i])
+                    upload.logins.push_back(joined.submitters[i]->login);
+                if (upload.folder == folders[i])
                     complete(upload, joined.submitters[i], name);
+            }
         for (auto const& submitter : joined.without_folder)
             remark(fmt::format("{} {} ({}) is in '{}', but has no folder.", submitter.firstname, submitter.lastname,
                                submitter.login, name));

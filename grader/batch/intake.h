@@ -15,7 +15,9 @@ struct Upload {
     std::string lastname, firstname, login;    ///< as far as known: from the xlsx, else from an unambiguous user folder
     std::string usr_id;                        ///< digits; empty in a flat folder
     std::string team;                          ///< digits; empty without teams
+    std::string folder;                        ///< the user folder, as exported; empty in a flat folder
     std::vector<std::string> members;          ///< the user folders of a team, as exported; empty without teams
+    std::vector<std::string> logins;           ///< of a team's members, as far as the xlsx has them
     std::filesystem::path file;                ///< the newest
     std::vector<std::filesystem::path> older;  ///< the others, newest first
     std::optional<std::int64_t> submitted;     ///< seconds since 1970: from the xlsx, else the file's time

@@ -39,12 +39,17 @@ std::string notice(GradedUpload const& entry)
     return text;
 }
 
+std::string all_logins(Upload const& upload)
+{
+    return upload.logins.empty() ? upload.login : fmt::format("{}", fmt::join(upload.logins, ", "));
+}
+
 Row row_of(GradedUpload const& entry, bool of_teams, Language language)
 {
     auto const& upload = entry.upload;
     Row row{entry.is_graded() ? "1" : "0"};
-    Row const who =
-        of_teams ? Row{upload.team, upload.login} : Row{upload.usr_id, upload.login, upload.lastname, upload.firstname};
+    Row const who = of_teams ? Row{upload.team, all_logins(upload)}
+                             : Row{upload.usr_id, upload.login, upload.lastname, upload.firstname};
     row.insert(row.end(), who.begin(), who.end());
     Row const what{
         ilias_status(entry.report), mark(entry.report), notice(entry), comment(entry.report, language), "", ""};

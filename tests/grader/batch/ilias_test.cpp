@@ -1,6 +1,7 @@
 #include "batch/ilias.h"
 
 #include "batch/archive.h"
+#include "batch/table.h"
 #include "example_grading.h"
 
 #include <gtest/gtest.h>
@@ -22,12 +23,13 @@ Report example_report()
 std::vector<GradedUpload> example_entries()
 {
     GradedUpload anna, bert, team;
-    anna.upload.student = "Müller_Anna_am_12";
+    anna.upload.student = anna.upload.folder = "Müller_Anna_am_12";
     anna.report = example_report();
-    bert.upload.student = "Bert_B_bb_13";
+    bert.upload.student = bert.upload.folder = "Bert_B_bb_13";
     bert.report = make_not_gradable({}, {"1", "", 1}, "no disk");
-    team.upload.student = "C_C_cc_14";
+    team.upload.student = team.upload.folder = "C_C_cc_14";
     team.upload.team = "3";
+    team.upload.logins = {"cc", "dd"};
     team.upload.members = {"C_C_cc_14", "D_D_dd_15"};
     team.report = example_report();
     return {anna, bert, team};
@@ -60,6 +62,17 @@ TEST(FeedbackZip, HasAFileForEveryGradedStudentAndMember)
                                                        top + "Müller_Anna_am_12/testat.txt"}));
 }
 
+TEST(FeedbackZip, HasFoldersAsIliasNamesThem)
+{
+    TemporaryDirectory const place;
+    auto const zip = place.path() / "feedback.zip";
+    GradedUpload entry = example_entries()[0];
+    entry.upload.student = "_-Anna_am_12";  // a folder of ours must not look like an option
+    entry.upload.folder = "-Anna_am_12";
+    write_feedback_zip({entry}, "x", "0", Language::en, zip);
+    EXPECT_EQ(names_in(zip), std::vector<std::string>{"multi_feedback_x_0/-Anna_am_12/testat.txt"});
+}
+
 TEST(FeedbackZip, IsTheSameTwice)
 {
     TemporaryDirectory const place;
@@ -84,6 +97,17 @@ TEST(StatusSheet, IsTheSameTwiceAndDiffersForTeams)
     std::string const students = sheet("a.xlsx", false);
     EXPECT_EQ(students, sheet("b.xlsx", false));
     EXPECT_NE(students, sheet("c.xlsx", true));
+}
+
+TEST(StatusSheet, NamesAllOfATeam)
+{
+    TemporaryDirectory const place;
+    auto const file = place.path() / "status.xlsx";
+    write_status_sheet(example_entries(), true, Language::en, file);
+    Rows const rows = read_xlsx(file, place.path() / "unpacked");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[1].at(1), "3");
+    EXPECT_EQ(rows[1].at(2), "cc, dd");
 }
 
 TEST(IliasStatus, IsNotGradedForOurFaults)

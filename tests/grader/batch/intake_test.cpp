@@ -246,6 +246,26 @@ TEST_F(TakeIn, ReadsTeams)
     EXPECT_TRUE(has_remark(intake, "'team 18' has handed in no"));
 }
 
+TEST_F(TakeIn, KnowsTheLoginsOfATeam)
+{
+    std::string const team = "S/Abgaben/Team 17/";
+    Intake const intake = zip(
+        {{"S/S.xlsx", xlsx({{"Last name", "First name", "Login"}, {"A", "B", "c"}, {"D", "E", "f"}, {"M", "N", "o"}})},
+         {team + "A_B_c_1/exercise_03.cpp", "a", monday},
+         {team + "D_E_f_2/", ""},
+         {"S/Abgaben/M_N_o_3/exercise_03.cpp", "b", monday}});
+    ASSERT_EQ(students(intake), (Names{"A_B_c_1", "M_N_o_3"}));
+    EXPECT_EQ(intake.uploads[0].logins, (Names{"c", "f"}));
+    EXPECT_EQ(intake.uploads[1].logins, Names{});
+}
+
+TEST_F(TakeIn, NamesFoldersSafelyAndStillKnowsTheirNames)
+{
+    Intake const intake = zip({{"S/Abgaben/-A_B_c_1/exercise_03.cpp", "a"}});
+    EXPECT_EQ(intake.uploads.at(0).student, "_-A_B_c_1");
+    EXPECT_EQ(intake.uploads.at(0).folder, "-A_B_c_1");
+}
+
 TEST_F(TakeIn, ListsStudentsWithoutAFile)
 {
     Intake const intake = zip({{anna, ""}, {bert + "notes.txt", "x"}, {bert + "all.ZIP", "x"}});
