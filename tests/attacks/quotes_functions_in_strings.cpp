@@ -1,6 +1,5 @@
 // attack: {"at": "compile", "earns": [20, 20]}
-// Text that is no function to a compiler, but may look like one to whoever reads the file: definitions in strings,
-// comments across lines, and what is left out.
+// What is no function to a compiler, but may look like one: definitions in strings, in comments, in what is left out.
 #ifndef WITHOUT_ATTACK
 char const* const raw = R"end(
 int ImageTexture::wrap_clamp(int val, int size) { return )" + 0; } /* " ' )en" {{{
