@@ -82,7 +82,10 @@ build() {
     cmake --preset "$1" -DTESTAT_WERROR="$([[ $1 == *san ]] && echo OFF || echo ON)"
     with_steady_addresses "$1" cmake --build --preset "$1" "${@:2}"
 }
-tests() { with_steady_addresses "$1" ctest --preset "$1" -j "$jobs" --output-junit "$results/$1.xml" "${@:2}"; }
+# One test more than there are processors: some of them wait most of their time.
+tests() {
+    with_steady_addresses "$1" ctest --preset "$1" -j $((jobs + 1)) --output-junit "$results/$1.xml" "${@:2}"
+}
 
 # GCC 12's sanitizers lose their way in the larger random offsets of newer kernels. Some containers do not let one turn
 # those off; there we try as it is.

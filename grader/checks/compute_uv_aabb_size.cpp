@@ -84,12 +84,16 @@ void spread_origins(Random& random, FootprintQuestion& q)
 
 FootprintQuestion ask_rotated(Random& random)
 {
+    // Now and then at uv up to some thousand, on either side of zero: large pixels, as a float has few digits left.
+    bool const far = random.integer(0, 15) == 0;
+    double const reach = far ? 1500 : 9;
+    double const half_pixel = far ? random.uniform(0.2, 0.4) : random.uniform(0.005, 0.05);
     glm::dmat3 const frame(random_rotation(random));
-    Shape const plane = make_plane(random_vector(random, 3), frame[1], frame[0], random_scale_uv(random));
+    Shape const plane = make_plane(random_vector(random, 3), frame[1], frame[0], far ? 0.5 : random_scale_uv(random));
     glm::dvec3 const position =
-        dvec3(plane.center) + frame * glm::dvec3(random.uniform(-9, 9), 0, random.uniform(-9, 9));
+        dvec3(plane.center) + frame * glm::dvec3(random.uniform(-reach, reach), 0, random.uniform(-reach, reach));
     FootprintQuestion q = make_question(plane, position, frame[1], frame[0]);
-    set_corners(q, random_view(random, position, frame[1], 0.3, 1, random.uniform(0.005, 0.05)));
+    set_corners(q, random_view(random, position, frame[1], 0.3, 1, half_pixel));
     spread_origins(random, q);
     return q;
 }

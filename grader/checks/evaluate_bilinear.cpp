@@ -62,28 +62,30 @@ Group ask_fractions(Random& random, Textures const& textures)
 
 /// Two points in the half texel behind the centres of texel (x, y). There the four neighbours are the same whether or
 /// not the half-texel shift is there, and so is the difference of the two values along s and along t.
-void add_pair(Random& random, Textures const& textures, TestTexture texture, glm::ivec2 texel, bool from_centre,
-              std::vector<LookupQuestion>& questions)
+void add_pair(Random& random, Textures const& textures, TestTexture texture, int level, glm::ivec2 texel,
+              bool from_centre, std::vector<LookupQuestion>& questions)
 {
     auto const point = [&](double lo, double hi) {
         return glm::dvec2(inside_texel(random, texel.x, lo, hi), inside_texel(random, texel.y, lo, hi));
     };
     glm::dvec2 const first = from_centre ? glm::dvec2(texel) + 0.5 : point(0.55, 0.7);
-    questions.push_back(ask_at(texture, textures, 0, first));
-    questions.push_back(ask_at(texture, textures, 0, point(0.8, 0.95)));
+    questions.push_back(ask_at(texture, textures, level, first));
+    questions.push_back(ask_at(texture, textures, level, point(0.8, 0.95)));
 }
 
-/// Both coordinates below zero, or one of them and the other inside; every other pair begins at a texel centre.
+/// Both coordinates below zero, or one of them and the other inside; every other pair begins at a texel centre. Now and
+/// then on level 1.
 Group ask_negative(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < questions_each / 2; ++i) {
         // Up to three periods away at first, up to 128 towards the end: beyond, a float has too few digits to tell.
         int const farthest = i < questions_each * 3 / 8 ? 48 : 2048;
+        int const level = i % 8 == 7 ? 1 : 0;
         glm::ivec2 texel(random.integer(-farthest, -2), random.integer(-farthest, -2));
         if (random.integer(0, 2) == 0)
-            texel[random.integer(0, 1)] = random.integer(1, 13);
-        add_pair(random, textures, TestTexture::stripes, texel, i % 2 == 0, questions);
+            texel[random.integer(0, 1)] = random.integer(1, level == 0 ? 13 : 5);
+        add_pair(random, textures, TestTexture::stripes, level, texel, i % 2 == 0, questions);
     }
     return make_group(Kind::lookup, questions);
 }
@@ -93,14 +95,34 @@ Group ask_inner(Random& random, Textures const& textures)
     std::vector<LookupQuestion> questions;
     for (int i = 0; i < questions_each / 2; ++i) {
         glm::ivec2 const texel(random.integer(1, 13), random.integer(1, 13));
-        add_pair(random, textures, TestTexture::stripes, texel, false, questions);
+        add_pair(random, textures, TestTexture::stripes, 0, texel, false, questions);
     }
     return make_group(Kind::lookup, questions);
 }
 
+/// Both coordinates a texel or more before the first centre, or behind the last: there the four neighbours wrap to one
+/// and the same, the last or none, whether or not the half-texel shift is there.
+LookupQuestion ask_outside(Random& random, Textures const& textures, TestTexture texture, bool behind_s, bool behind_t)
+{
+    auto const coordinate = [&](bool behind) {
+        double const away = random.uniform(1.6, 40);
+        return behind ? 16 + away : -away;
+    };
+    return ask_at(texture, textures, 0, {coordinate(behind_s), coordinate(behind_t)});
+}
+
+/// Differences from before one end, or both, to behind both.
+void add_corners(Random& random, Textures const& textures, TestTexture texture, std::vector<LookupQuestion>& questions)
+{
+    for (int i = 0; i < 3; ++i) {
+        questions.push_back(ask_outside(random, textures, texture, i == 1, i == 2));
+        questions.push_back(ask_outside(random, textures, texture, true, true));
+    }
+}
+
 /// Behind the centre of the last texel, where the wrap mode says what the neighbours are. In mode zero one column
-/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not. And each
-/// corner of the texture twice, where the difference is 0 whatever the value is, unless it is not finite.
+/// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not. Each corner
+/// of the texture twice, where the difference is 0 whatever the value is, unless it is not finite. And farther outside.
 Group ask_border(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
@@ -108,11 +130,14 @@ Group ask_border(Random& random, Textures const& textures)
         for (double t : {0, 16})
             questions.insert(questions.end(), 2, ask_at(TestTexture::stripes, textures, 0, {s, t}));
     for (int i = 0; i < questions_each / 8; ++i) {
-        add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
-        add_pair(random, textures, TestTexture::stripes, {15, 15}, false, questions);
-        add_pair(random, textures, TestTexture::stripes_clamp, {15, 15}, false, questions);
-        add_pair(random, textures, TestTexture::stripes_zero, {17, random.integer(1, 13)}, false, questions);
+        add_pair(random, textures, TestTexture::stripes, 0, {15, 15}, false, questions);
+        add_pair(random, textures, TestTexture::stripes, 1, {7, 7}, false, questions);
+        add_pair(random, textures, TestTexture::stripes_clamp, 0, {15, 15}, false, questions);
+        add_pair(random, textures, TestTexture::stripes_zero, 0, {17, random.integer(1, 13)}, false, questions);
     }
+    for (int i = 0; i < questions_each / 32; ++i)
+        for (TestTexture const texture : {TestTexture::stripes_clamp, TestTexture::stripes_zero})
+            add_corners(random, textures, texture, questions);
     return make_group(Kind::lookup, questions);
 }
 

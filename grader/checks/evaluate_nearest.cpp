@@ -40,10 +40,12 @@ Group ask_inside(Random& random, Textures const& textures, TestTexture texture, 
     return make_group(Kind::lookup, questions);
 }
 
-/// Both coordinates below zero, or one of them and the other inside.
-glm::ivec2 negative_place(Random& random, glm::ivec2 size, int periods)
+/// Both coordinates below zero, or beyond the other end, or one of them and the other inside.
+glm::ivec2 outer_place(Random& random, glm::ivec2 size, int periods)
 {
     glm::ivec2 place(random.integer(-periods * size.x, -1), random.integer(-periods * size.y, -1));
+    if (random.integer(0, 3) == 0)
+        place = size - 1 - place;
     if (random.integer(0, 2) == 0) {
         int const axis = random.integer(0, 1);
         place[axis] = random.integer(0, size[axis] - 1);
@@ -51,18 +53,20 @@ glm::ivec2 negative_place(Random& random, glm::ivec2 size, int periods)
     return place;
 }
 
-Group ask_negative(Random& random, Textures const& textures)
+/// Now and then on coarser levels.
+Group ask_outside(Random& random, Textures const& textures)
 {
     constexpr TestTexture modes[] = {TestTexture::coded_wide, TestTexture::coded_wide_clamp, TestTexture::coded_wide,
                                      TestTexture::coded_wide_zero};
     std::vector<LookupQuestion> questions;
     for (std::size_t i = 0; i < questions_each; ++i) {
         TestTexture const texture = modes[i % std::size(modes)];
-        glm::ivec2 const size = level_size(at(textures, texture), 0);
+        int const level = i % 16 >= 12 ? random.integer(1, 2) : 0;
+        glm::ivec2 const size = level_size(at(textures, texture), level);
         // Up to three periods away at first, up to |u| = 1e4 towards the end.
         int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;
-        glm::ivec2 const place = negative_place(random, size, periods);
-        questions.push_back(ask_texel(random, texture, 0, size, place, lower_half));
+        glm::ivec2 const place = outer_place(random, size, periods);
+        questions.push_back(ask_texel(random, texture, level, size, place, lower_half));
     }
     // And the corners of the unit square, where the texel before and the one behind are both right.
     for (float const u : {0.f, 1.f})
@@ -142,7 +146,7 @@ void add_evaluate_nearest_checks(std::vector<UnitCheck>& checks)
     add("NonSquareLevelZero", inside(TestTexture::coded_wide, 0, 0, lower_half, first_of_texel));
     add("HigherLevels", inside(TestTexture::coded_wide, 1, 5, lower_half, lower_half));
     add("UpperFractions", inside(TestTexture::coded_square, 0, 0, upper_half, last_of_texel));
-    add("NegativeCoordinates", ask_negative);
+    add("NegativeCoordinates", ask_outside);
     checks.push_back(metamorphic_check("EvaluateNearest.MirroredTexture", Function::evaluate_nearest, Kind::lookup,
                                        mirror_texel, compare_mean));
 }

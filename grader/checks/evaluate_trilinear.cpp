@@ -81,10 +81,10 @@ Group ask_magnified(Random& random, Textures const& textures)
     return make_group(Kind::lookup, questions);
 }
 
-/// Exactly the last level, and up to there from where BetweenLevels ends.
+/// Exactly the last level, which may be the only one, and up to there from where BetweenLevels ends.
 double last_level(Random& random, int i, double last)
 {
-    return std::exp2(i / 2 % 2 == 0 ? last : random.uniform(4.05, last - 0.05));
+    return std::exp2(i / 2 % 2 == 0 || last == 0 ? last : random.uniform(4.05, last - 0.05));
 }
 
 double beyond(Random& random, int, double last)
@@ -130,11 +130,12 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     };
     auto const nothing = [](Random&, int, double) { return 0.0; };
     add("BetweenLevels", ask({TestTexture::noise_square}, between_levels));
-    add("LargerSideDecides",
-        ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square}, unequal, Place::anywhere));
+    add("LargerSideDecides", ask({TestTexture::noise_wide, TestTexture::noise_high, TestTexture::noise_square,
+                                  TestTexture::stripes_clamp, TestTexture::stripes_zero},
+                                 unequal, Place::anywhere));
     add("Magnified", ask_magnified);
     add("NoFootprint", ask({TestTexture::noise_square}, nothing));
-    add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long}, last_level));
+    add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long, TestTexture::mip_small}, last_level));
     add("BeyondTheLastLevel",
         ask({TestTexture::noise_square, TestTexture::mip_single, TestTexture::noise_long}, beyond));
     checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,

@@ -38,9 +38,10 @@ Colour opaque(Colour const& colour)
     return [=](int level, int x, int y) { return glm::vec4(glm::vec3(colour(level, x, y)), 1.f); };
 }
 
-Colour brighter(Colour const& colour)
+/// From [0, 1) to [-2, 4): what clamps colours shows.
+Colour stretched(Colour const& colour)
 {
-    return [=](int level, int x, int y) { return 4.f * colour(level, x, y); };
+    return [=](int level, int x, int y) { return 6.f * colour(level, x, y) - 2.f; };
 }
 
 /// Any two neighbours differ by at least a quarter, also across the seam.
@@ -156,8 +157,9 @@ Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
     textures.push_back(with_levels(512, 2, Wrap::repeat, noise(more)));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
-    textures.push_back(level_zero_only(1, 1024, brighter(noise(more))));
-    textures.push_back(level_zero_only(32, 32, opaque(brighter(noise(more)))));
+    textures.push_back(level_zero_only(1, 1024, stretched(noise(more))));
+    textures.push_back(level_zero_only(1024, 1, stretched(noise(more))));
+    textures.push_back(level_zero_only(32, 32, opaque(stretched(noise(more)))));
     Random unknown(seed, std::string("unknown textures").append(upload_sha256));
     add_unknown_textures(unknown, textures);
     return textures;

@@ -30,8 +30,9 @@ enum class TestTexture : std::uint32_t {
     mip_column,             ///< 1 x 16
     mip_pair,               ///< 2 x 1
     mip_single,             ///< 1 x 1
-    mip_long,               ///< 1 x 1024, colours up to 4
-    bright,                 ///< 32 x 32, colours up to 4, alpha 1
+    mip_long,               ///< 1 x 1024, colours from -2 to 4
+    mip_flat,               ///< 1024 x 1, the same
+    bright,                 ///< 32 x 32, colours from -2 to 4, alpha 1
     unknown_mip,            ///< 64 x 64; depends on the upload, as all that follow
     unknown_mip_mean,       ///< the mean of mip_square and unknown_mip, texel by texel
     unknown_mip_wide,       ///< 16 x 4

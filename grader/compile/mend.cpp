@@ -86,10 +86,12 @@ std::optional<Culprit> find_culprit(FirstError const& first, std::string_view te
     return find_by_name(first, definitions);
 }
 
+/// Declarations and #includes.
+constexpr std::size_t most_left_out = 8;
+
 /// Leaves out the declaration that an error lies in, unless one of the eleven is part of it.
 bool cut_declaration(FirstError const& first, Mended& mended)
 {
-    constexpr std::size_t most = 8;
     auto const definitions = recover_definitions(mended.text);
     constexpr std::size_t most_lines = 4;
     for (std::size_t i = 0; i < std::min(first.lines.size(), most_lines); ++i) {
@@ -98,7 +100,7 @@ bool cut_declaration(FirstError const& first, Mended& mended)
         bool const overlaps = std::any_of(definitions.begin(), definitions.end(), [&](Definition const& d) {
             return d.begin < found.end && found.begin < d.end;
         });
-        if (found.end == 0 || overlaps || mended.left_out.size() == most)
+        if (found.end == 0 || overlaps || mended.left_out.size() == most_left_out)
             continue;
         blank(mended.text, found.begin, found.end);
         mended.left_out.push_back(first.error);
@@ -108,20 +110,31 @@ bool cut_declaration(FirstError const& first, Mended& mended)
     return false;
 }
 
+/// What follows the # of the directive that begins at `at`; nothing if none does.
+std::string_view directive(std::string_view text, std::size_t at)
+{
+    auto const skip_blanks = [&] { at = std::min(text.find_first_not_of(" \t", at), text.size()); };
+    skip_blanks();
+    if (text.substr(at, 1) == "#")
+        at += 1;
+    else if (text.substr(at, 2) == "%:")
+        at += 2;
+    else
+        return {};
+    skip_blanks();
+    return text.substr(at);
+}
+
+bool starts_with(std::string_view text, std::string_view beginning)
+{
+    return text.substr(0, beginning.size()) == beginning;
+}
+
 /// Whether the directive that begins at `at` is #line, or # with a number, which means the same.
 bool is_line_directive(std::string_view text, std::size_t at)
 {
-    auto const skip_blanks = [&] { at = std::min(text.find_first_not_of(" \t", at), text.size()); };
-    auto const take = [&](std::string_view word) {
-        bool const there = text.substr(at, word.size()) == word;
-        at += there ? word.size() : 0;
-        return there;
-    };
-    skip_blanks();
-    if (!take("#") && !take("%:"))
-        return false;
-    skip_blanks();
-    return take("line") || (at < text.size() && text[at] >= '0' && text[at] <= '9');
+    auto const found = directive(text, at);
+    return starts_with(found, "line") || (!found.empty() && found[0] >= '0' && found[0] <= '9');
 }
 
 /// Whether the line that the newline at `end` ends is continued by the next.
@@ -139,6 +152,29 @@ std::size_t end_of_line(std::string_view text, std::size_t at)
     while (end != std::string_view::npos && is_continued(text, end))
         end = text.find('\n', end + 1);
     return std::min(end, text.size());
+}
+
+/// Where a line begins, counted from 1.
+std::size_t begin_of_line(std::string_view text, int line)
+{
+    std::size_t begin = 0;
+    for (; line > 1 && begin < text.size(); --line)
+        begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    return begin;
+}
+
+/// Leaves out the #include that an error lies in: of a file that is not there.
+bool cut_include(FirstError const& first, Mended& mended)
+{
+    if (first.lines.empty() || mended.left_out.size() == most_left_out)
+        return false;
+    std::size_t const begin = begin_of_line(mended.text, first.lines.front());
+    if (!starts_with(directive(mended.text, begin), "include"))
+        return false;
+    blank(mended.text, begin, end_of_line(mended.text, begin));
+    mended.left_out.push_back(first.error);
+    mended.left_out.back().line = first.lines.front();
+    return true;
 }
 }  // namespace
 
@@ -170,7 +206,7 @@ std::optional<Mended> mend(std::string const& text, Finished const& failed, std:
             if (!mended.broken.emplace(culprit->function, culprit->error).second)
                 return std::nullopt;
             leave_out(mended.text, culprit->function);
-        } else if (!cut_declaration(*first, mended)) {
+        } else if (!cut_include(*first, mended) && !cut_declaration(*first, mended)) {
             return std::nullopt;
         }
         last = compile(mended.text);

@@ -12,17 +12,17 @@ namespace testat {
 struct Mended {
     std::string text;
     std::map<Function, Diagnostic> broken;  ///< the first error of each function left out
-    std::vector<Diagnostic> left_out;       ///< the first error of each other declaration left out
+    std::vector<Diagnostic> left_out;       ///< the first error of each other declaration or #include left out
 };
 
 /// Compiles and links a text; `timed_out` if there is no time left for it.
 using CompileText = std::function<Finished(std::string const& text)>;
 
-/// Leaves out the function that the first error belongs to, or else the declaration at namespace scope, and compiles
-/// again, until there is no error: at most once for each of the eleven, eight times for other declarations, and once
-/// more if there are #line directives, which are blanked. What uses a declaration left out is to blame next. `failed`
+/// Leaves out the function that the first error belongs to, or else the #include or the declaration at namespace scope,
+/// and compiles again, until there is no error: at most once for each of the eleven, eight times for the others, and
+/// once more if there are #line directives, which are blanked. What uses something left out is to blame next. `failed`
 /// is how compiling `text` ended, `source` the file name that the compiler was given, `shown` the one to report.
-/// Nothing if an error belongs to neither, or if the compiler crashes or runs out of time.
+/// Nothing if an error belongs to none of these, or if the compiler crashes or runs out of time.
 std::optional<Mended> mend(std::string const& text, Finished const& failed, std::string const& source,
                            std::string const& shown, CompileText const& compile);
 

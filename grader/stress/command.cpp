@@ -25,9 +25,9 @@ void make_directory(std::filesystem::path const& directory)
 std::string stress_file(StressFile const& options, Installation const& where)
 {
     Submission const submission = read_submission(options.file);
-    make_directory(options.out);
     constexpr Allowance as_long_as_it_takes{HUGE_VAL, HUGE_VAL};
     Cage cage(options.confinement, as_long_as_it_takes);
+    make_directory(options.out);
     TemporaryDirectory const workplace;
     CompileOptions compile_options;
     compile_options.compiler = options.compiler;

@@ -2,11 +2,15 @@
 
 #include "report/printer.h"
 
+#include <algorithm>
+
 namespace testat {
 namespace {
 constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
+constexpr Term not_right{"Alle Prüfungen bestanden, aber nicht alle Bilder, an denen die Funktion beteiligt ist",
+                         "All checks passed, but not all pictures that the function takes part in"};
 
 /// Empty where a report has no words.
 std::string in_language(Report const& phrase, Language language)
@@ -14,6 +18,19 @@ std::string in_language(Report const& phrase, Language language)
     if (!phrase.is_object())
         return "";
     return phrase.at(language == Language::de ? "de" : "en").get<std::string>();
+}
+
+/// "plane_after_c, goboard_after_c"
+std::string wrong_pictures(Report const& report, std::string const& function)
+{
+    std::string names;
+    for (auto const& picture : report.at("pictures")) {
+        auto const& functions = picture.at("functions");
+        bool const takes_part = std::find(functions.begin(), functions.end(), function) != functions.end();
+        if (takes_part && picture.at("score") < 1)
+            names += (names.empty() ? "" : ", ") + picture.at("name").get<std::string>();
+    }
+    return names;
 }
 }  // namespace
 
@@ -41,8 +58,9 @@ std::string explain_check(Report const& check, Language language)
     return text;
 }
 
-std::string explain_function(Report const& function, Language language)
+std::string explain_function(Report const& report, std::string const& name, Language language)
 {
+    Report const& function = report.at("functions").at(name);
     std::string text;
     if (function.contains("mistake"))
         text = in_language(function.at("mistake"), language);
@@ -50,6 +68,9 @@ std::string explain_function(Report const& function, Language language)
         if (!check.at("passed").get<bool>())
             return text + (text.empty() ? "" : "\n") + check.at("name").get<std::string>() + ": " +
                    explain_check(check, language);
+    if (function.at("picture") < 1)
+        text +=
+            fmt::format("{}{}: {}", text.empty() ? "" : "\n", say(not_right, language), wrong_pictures(report, name));
     return text;
 }
 }  // namespace testat

@@ -37,9 +37,10 @@ std::string to_junit(std::vector<NamedReport> const& reports, Language language)
 /// SARIF 2.1.0: messages of the compiler, and each function that lost points, on its line of the upload.
 std::string to_sarif(std::vector<NamedReport> const& reports, Language language);
 
-/// What a function's failure is about, in a few lines: its mistake, the first failed check with input, measured and
-/// (if the report has it) expected value. Empty if nothing has failed.
-std::string explain_function(Report const& function, Language language);
+/// What the failure of a function of a graded report is about, in a few lines: its mistake, the first failed check with
+/// input, measured and (if the report has it) expected value, or else the pictures that are not right. Empty if nothing
+/// has failed.
+std::string explain_function(Report const& report, std::string const& name, Language language);
 
 /// "a: b" for a check's words in one language.
 std::string explain_check(Report const& check, Language language);

@@ -19,14 +19,15 @@ std::string output_of(Report const& report, Language language)
     return text;
 }
 
-Report test_of(std::string const& name, Report const& function, Language language)
+Report test_of(Report const& report, std::string const& name, Language language)
 {
+    Report const& function = report.at("functions").at(name);
     return {{"name", name},
             {"name_format", "text"},
             {"score", function.at("earned")},
             {"max_score", function.at("max")},
             {"status", function.at("verdict") == "correct" ? "passed" : "failed"},
-            {"output", explain_function(function, language)},
+            {"output", explain_function(report, name, language)},
             {"output_format", "text"},
             {"tags", Report::array({function.at("task")})},
             {"visibility", "visible"}};
@@ -47,8 +48,8 @@ std::string to_gradescope(std::vector<NamedReport> const& reports, Language lang
     document["execution_time"] = report.at("timing").at("total_ms").get<double>() / 1e3;
     document["output"] = output_of(report, language);
     document["tests"] = Report::array();
-    for (auto const& [name, function] : report.at("functions").items())
-        document["tests"].push_back(test_of(name, function, language));
+    for (auto const& entry : report.at("functions").items())
+        document["tests"].push_back(test_of(report, entry.key(), language));
     return to_text(document);
 }
 }  // namespace testat

@@ -53,7 +53,7 @@ void add_results(Report& results, NamedReport const& named, bool many, Language 
     for (auto const& [name, function] : report.at("functions").items()) {
         if (function.at("verdict") == "correct" || !function.contains("source") || !function.at("source").is_object())
             continue;
-        std::string const why = explain_function(function, language);
+        std::string const why = explain_function(report, name, language);
         results.push_back(result(rule_of(name, function), "error", why.empty() ? name : name + ": " + why,
                                  place(file, function.at("source").at("line").get<int>(), 0)));
     }

@@ -122,10 +122,26 @@ TEST(Mend, LeavesOutOtherDeclarations)
     EXPECT_EQ(broken_by({"CLAMP", "HELPER"}), "wrap_clamp 4: CLAMP");
 }
 
+/// What needs it is to blame next.
+TEST(Mend, LeavesOutIncludes)
+{
+    CompilerOfWords compiler({"<x>"});
+    auto const mended = mend_file(file, compiler);
+    ASSERT_TRUE(mended);
+    EXPECT_TRUE(mended->broken.empty());
+    ASSERT_EQ(mended->left_out.size(), 1u);
+    EXPECT_EQ(mended->left_out[0].line, 1);
+    EXPECT_EQ(mended->text.substr(0, mended->text.find('\n')), std::string(12, ' '));
+    EXPECT_EQ(mended->text.find("wrap_clamp"), std::string(file).find("wrap_clamp"));
+    EXPECT_EQ(broken_by({"<x>", "CLAMP"}), "wrap_clamp 4: CLAMP");
+}
+
 TEST(Mend, GivesUpOnErrorsOutsideAllDeclarations)
 {
-    EXPECT_EQ(broken_by({"#include"}), "nothing mended");
-    EXPECT_EQ(broken_by({"CLAMP", "#include"}), "nothing mended");
+    CompilerOfWords compiler({"#pragma"});
+    EXPECT_EQ(broken_in(mend_file(std::string("#pragma x\n") + file, compiler)), "nothing mended");
+    CompilerOfWords another({"CLAMP", "#pragma"});
+    EXPECT_EQ(broken_in(mend_file(std::string("#pragma x\n") + file, another)), "nothing mended");
 }
 
 TEST(Mend, GivesUpWithoutTime)

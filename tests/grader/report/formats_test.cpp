@@ -138,6 +138,15 @@ TEST(Gradescope, GivesNoScoreToWhatIsNotGradable)
     EXPECT_NE(document.at("output").get<std::string>().find("no compiler"), std::string::npos);
 }
 
+TEST(Formats, NameThePicturesWhereAllChecksPass)
+{
+    CheckResults results = passed_results(example_rubric());
+    results.pictures.at(0).isolated.at(0).score = 0.5;
+    Report const report = report_of(results, whole_build());
+    EXPECT_NE(explain_function(report, "wrap_clamp", Language::en).find(results.pictures[0].name), std::string::npos);
+    EXPECT_EQ(explain_function(report, "wrap_repeat", Language::en), "");
+}
+
 TEST(Sarif, PointsToTheCompilersLine)
 {
     Report const report = report_of(passed_results(example_rubric()), mended_build());

@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_bilinear": [1, 1]}, "says": {"evaluate_bilinear": "partial"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_size_of_level_zero"}}
+// verdict: {"loses": {"evaluate_bilinear": [2, 2]}, "says": {"evaluate_bilinear": "partial"}, "policy": [], "mistake": {"evaluate_bilinear": "bilinear_size_of_level_zero"}}
 // Right texels, but uv are scaled by the size of level 0 on every level.
 glm::vec4 ImageTexture::evaluate_bilinear(int level, glm::vec2 const& uv) const
 

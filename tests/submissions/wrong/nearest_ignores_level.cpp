@@ -1,4 +1,4 @@
-// verdict: {"loses": {"evaluate_nearest": [0.5, 0.5]}, "says": {"evaluate_nearest": "partial"}, "policy": [], "mistake": {"evaluate_nearest": "nearest_ignores_level"}}
+// verdict: {"loses": {"evaluate_nearest": [1, 1]}, "says": {"evaluate_nearest": "partial"}, "policy": [], "mistake": {"evaluate_nearest": "nearest_ignores_level"}}
 // Looks into level 0 whatever the level is: invisible as long as no level but 0 is asked for.
 glm::vec4 ImageTexture::evaluate_nearest(int level, glm::vec2 const& uv) const
 
