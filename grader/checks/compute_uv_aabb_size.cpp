@@ -84,7 +84,8 @@ void spread_origins(Random& random, FootprintQuestion& q)
 
 FootprintQuestion ask_rotated(Random& random)
 {
-    // Now and then at uv up to some thousand, on either side of zero: large pixels, as a float has few digits left.
+    // Now and then at uv up to some thousand, on either side of zero: large pixels, as a float has few digits left, but
+    // seen so that no corner misses.
     bool const far = random.integer(0, 15) == 0;
     double const reach = far ? 1500 : 9;
     double const half_pixel = far ? random.uniform(0.2, 0.4) : random.uniform(0.005, 0.05);
@@ -93,7 +94,7 @@ FootprintQuestion ask_rotated(Random& random)
     glm::dvec3 const position =
         dvec3(plane.center) + frame * glm::dvec3(random.uniform(-reach, reach), 0, random.uniform(-reach, reach));
     FootprintQuestion q = make_question(plane, position, frame[1], frame[0]);
-    set_corners(q, random_view(random, position, frame[1], 0.3, 1, half_pixel));
+    set_corners(q, random_view(random, position, frame[1], far ? 0.8 : 0.3, 1, half_pixel));
     spread_origins(random, q);
     return q;
 }

@@ -135,7 +135,7 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
                                  unequal, Place::anywhere));
     add("Magnified", ask_magnified);
     add("NoFootprint", ask({TestTexture::noise_square}, nothing));
-    add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long, TestTexture::mip_small}, last_level));
+    add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long, TestTexture::mip_single}, last_level));
     add("BeyondTheLastLevel",
         ask({TestTexture::noise_square, TestTexture::mip_single, TestTexture::noise_long}, beyond));
     checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
