@@ -1,8 +1,7 @@
 #!/bin/bash
 # The tutor's desk at work: makes up an ILIAS download and grades it cold, again with nothing changed, killed again and
 # again, and on a cluster of two nodes of which one dies. Prints every command, what it took, and whether all of them
-# came to the same bytes, and checks what goes back to ILIAS. Exit code 1 if anything is not as it should be. Grading
-# 300 uploads takes half an hour on two cores, the kills a bit more once again, the cluster twice as much.
+# came to the same bytes, and checks what goes back to ILIAS. Exit code 1 if anything is not as it should be.
 #
 #   ci/desk.sh [--uploads N] [--kills N] [--jobs N] [--seed N] [--slurm]
 #

@@ -8,8 +8,8 @@
 namespace testat {
 namespace {
 constexpr int questions_each = 512;
-/// Farther than any number that would be added to be on the safe side, near enough for a loop or a recursion that goes
-/// on by `step` again and again.
+/// Farther than the ten thousand periods that a file may add to be on the safe side, near enough for a loop or a
+/// recursion that goes on by `step` again and again.
 int farthest(int step)
 {
     return std::min(1'000'000, 60'000 * step);

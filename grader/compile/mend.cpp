@@ -89,6 +89,13 @@ std::optional<Culprit> find_culprit(FirstError const& first, std::string_view te
 /// Declarations and #includes.
 constexpr std::size_t most_left_out = 8;
 
+void cut(Mended& mended, std::size_t begin, std::size_t end, Diagnostic const& error, int line)
+{
+    blank(mended.text, begin, end);
+    mended.left_out.push_back(error);
+    mended.left_out.back().line = line;
+}
+
 /// Leaves out the declaration that an error lies in, unless one of the eleven is part of it.
 bool cut_declaration(FirstError const& first, Mended& mended)
 {
@@ -102,9 +109,7 @@ bool cut_declaration(FirstError const& first, Mended& mended)
         });
         if (found.end == 0 || overlaps || mended.left_out.size() == most_left_out)
             continue;
-        blank(mended.text, found.begin, found.end);
-        mended.left_out.push_back(first.error);
-        mended.left_out.back().line = line;
+        cut(mended, found.begin, found.end, first.error, line);
         return true;
     }
     return false;
@@ -171,9 +176,7 @@ bool cut_include(FirstError const& first, Mended& mended)
     std::size_t const begin = begin_of_line(mended.text, first.lines.front());
     if (!starts_with(directive(mended.text, begin), "include"))
         return false;
-    blank(mended.text, begin, end_of_line(mended.text, begin));
-    mended.left_out.push_back(first.error);
-    mended.left_out.back().line = first.lines.front();
+    cut(mended, begin, end_of_line(mended.text, begin), first.error, first.lines.front());
     return true;
 }
 }  // namespace

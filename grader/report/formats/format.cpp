@@ -68,9 +68,7 @@ std::string explain_function(Report const& report, std::string const& name, Lang
         if (!check.at("passed").get<bool>())
             return text + (text.empty() ? "" : "\n") + check.at("name").get<std::string>() + ": " +
                    explain_check(check, language);
-    if (function.at("picture") < 1)
-        text +=
-            fmt::format("{}{}: {}", text.empty() ? "" : "\n", say(not_right, language), wrong_pictures(report, name));
-    return text;
+    return function.at("picture") < 1 ? fmt::format("{}: {}", say(not_right, language), wrong_pictures(report, name))
+                                      : text;
 }
 }  // namespace testat
