@@ -67,7 +67,7 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     Observations const differences = answers(isolated);
     judge_isolated(results, differences, where);
     results.remarks = find_remarks(units, again, differences);
-    explain(results, answers(ask_repaired(results)), where);
+    explain(results, build.written(), answers(ask_repaired(results, build.written())), where);
     double const check_ms = ms_since(start) - compiled_ms - observe_ms;
     Grade const grade = score(results, build, rubric, options.lenient);
     write_pictures(results, options.out, where.envelopes);

@@ -29,9 +29,11 @@ std::vector<Function> suspects(CheckResults const& results, std::string const& p
     return found;
 }
 
-/// What the picture made with this function alone from the upload says, where it was made.
-std::optional<bool> known_alone(PictureResult const& result, Function function)
+/// Whether the picture is right with this function alone from the upload: where that was made, or need not be.
+std::optional<bool> known_alone(PictureResult const& result, Function function, FunctionSet written)
 {
+    if (!written.has(function))
+        return !called_in(result.name).has(function);
     for (auto const& isolated : result.isolated)
         if (isolated.function == function && isolated.rendering)
             return isolated.score == 1;
@@ -71,18 +73,24 @@ bool is_right(PictureResult const& result, std::string const& from_upload, Obser
     return picture && compare_picture(result.name, *picture, envelope).score == 1;
 }
 
+/// Whether nothing of the upload is left in the picture without its suspects.
+bool are_all(std::vector<Function> const& suspected, std::string const& picture)
+{
+    return (functions_in(picture).bits() & all_without(suspected).bits()) == 0;
+}
+
 /// The suspects that spoil the picture, each by itself; all of them if it takes several together. Nobody if the
 /// picture stays wrong without them.
 std::vector<std::string> find_culprits(PictureResult const& result, std::vector<Function> const& suspected,
-                                       Observations const& observations, Envelope const& envelope)
+                                       FunctionSet written, Observations const& observations, Envelope const& envelope)
 {
-    if (!is_right(result, none, observations, envelope))
+    if (!are_all(suspected, result.name) && !is_right(result, none, observations, envelope))
         return {};
     std::vector<std::string> all;
     std::vector<std::string> culprits;
     for (Function f : suspected) {
         all.emplace_back(info(f).name);
-        auto const alone = known_alone(result, f);
+        auto const alone = known_alone(result, f, written);
         if (!(alone ? *alone : is_right(result, all.back(), observations, envelope)))
             culprits.push_back(all.back());
     }
@@ -90,7 +98,7 @@ std::vector<std::string> find_culprits(PictureResult const& result, std::vector<
 }
 }  // namespace
 
-Request ask_repaired(CheckResults const& results)
+Request ask_repaired(CheckResults const& results, FunctionSet written)
 {
     // Only words depend on these pictures, so they get little time.
     Request request{{2, 1, 10}, FunctionSet(), {}, {}};
@@ -99,19 +107,20 @@ Request ask_repaired(CheckResults const& results)
         if (!needs_explaining(picture) || suspected.empty())
             continue;
         FunctionSet const unsuspected = all_without(suspected);
-        add_group(picture.name, none, unsuspected, request);
+        if (!are_all(suspected, picture.name))
+            add_group(picture.name, none, unsuspected, request);
         for (Function f : suspected)
-            if (suspected.size() > 1 && !known_alone(picture, f))
+            if (suspected.size() > 1 && !known_alone(picture, f, written))
                 add_group(picture.name, std::string(info(f).name), unsuspected.with(f), request);
     }
     return request;
 }
 
-void explain(CheckResults& results, Observations const& repaired, Installation const& where)
+void explain(CheckResults& results, FunctionSet written, Observations const& repaired, Installation const& where)
 {
     for (auto& picture : results.pictures)
         if (needs_explaining(picture))
-            picture.explained_by = find_culprits(picture, suspects(results, picture.name), repaired,
+            picture.explained_by = find_culprits(picture, suspects(results, picture.name), written, repaired,
                                                  read_envelope(where.envelopes / (picture.name + ".envelope")));
 }
 }  // namespace testat

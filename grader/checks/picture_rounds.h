@@ -21,11 +21,12 @@ Request ask_isolated(Rubric const& rubric, CheckResults const& results, Build co
 void judge_isolated(CheckResults& results, Observations const& observations, Installation const& where);
 
 /// Which further pictures would tell why those as submitted are wrong: each rendered with the functions that are not
-/// entirely right (the suspects) replaced by the reference, and with one suspect at a time left in.
-Request ask_repaired(CheckResults const& results);
+/// entirely right (the suspects) replaced by the reference, and with one suspect at a time left in. What such a picture
+/// looks like without a function that is not `written` is known.
+Request ask_repaired(CheckResults const& results, FunctionSet written);
 
 /// Fills explained_by from the answers to ask_repaired.
-void explain(CheckResults& results, Observations const& repaired, Installation const& where);
+void explain(CheckResults& results, FunctionSet written, Observations const& repaired, Installation const& where);
 
 /// The group that asks for a picture as submitted. `culling`: objects that a ray cannot meet may be left out.
 Group submitted_group(std::string const& picture, bool culling);

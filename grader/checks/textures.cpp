@@ -17,9 +17,9 @@ TextureData::Level make_level(int level, int width, int height, Colour const& co
     return made;
 }
 
-TextureData level_zero_only(int width, int height, Colour const& colour)
+TextureData level_zero_only(int width, int height, Colour const& colour, Wrap wrap = Wrap::repeat)
 {
-    return {static_cast<std::uint32_t>(Wrap::repeat), {make_level(0, width, height, colour)}};
+    return {static_cast<std::uint32_t>(wrap), {make_level(0, width, height, colour)}};
 }
 
 /// Independent colours in [0, 1), multiples of 2^-12.
@@ -157,8 +157,8 @@ Textures make_test_textures(std::uint64_t seed, std::string_view upload_sha256)
     textures.push_back(with_levels(512, 2, Wrap::repeat, noise(more)));
     for (glm::ivec2 const size : {glm::ivec2(8, 8), {64, 64}, {32, 8}, {4, 64}, {16, 1}, {1, 16}, {2, 1}, {1, 1}})
         textures.push_back(level_zero_only(size.x, size.y, noisy));
-    textures.push_back(level_zero_only(1, 1024, stretched(noise(more))));
-    textures.push_back(level_zero_only(1024, 1, stretched(noise(more))));
+    textures.push_back(level_zero_only(1, 1024, stretched(noise(more)), Wrap::zero));
+    textures.push_back(level_zero_only(1024, 1, stretched(noise(more)), Wrap::zero));
     textures.push_back(level_zero_only(32, 32, opaque(stretched(noise(more)))));
     Random unknown(seed, std::string("unknown textures").append(upload_sha256));
     add_unknown_textures(unknown, textures);

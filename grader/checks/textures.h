@@ -30,7 +30,7 @@ enum class TestTexture : std::uint32_t {
     mip_column,             ///< 1 x 16
     mip_pair,               ///< 2 x 1
     mip_single,             ///< 1 x 1
-    mip_long,               ///< 1 x 1024, colours from -2 to 4
+    mip_long,               ///< 1 x 1024, zero outside, colours from -2 to 4
     mip_flat,               ///< 1024 x 1, the same
     bright,                 ///< 32 x 32, colours from -2 to 4, alpha 1
     unknown_mip,            ///< 64 x 64; depends on the upload, as all that follow

@@ -58,10 +58,15 @@ bool may_be_precompiled(Submission const& submission, std::filesystem::path cons
     return std::includes(included.begin(), included.end(), precompiled.begin(), precompiled.end());
 }
 
+std::filesystem::path usual_header(CompileOptions const& options, Installation const& where)
+{
+    return where.headers / options.compiler / options.standard / "submission.h";
+}
+
 /// Empty if no header was precompiled for this compiler, its standard and its flags, or if the upload must do without.
 Arguments precompiled_header(Submission const& submission, CompileOptions const& options, Installation const& where)
 {
-    auto const header = where.headers / options.compiler / options.standard / "submission.h";
+    auto const header = usual_header(options, where);
     if (!options.flags.empty() || !may_be_precompiled(submission, header, where))
         return {};
     if (is_clang(options)) {
@@ -193,14 +198,19 @@ void take_symbols(SymbolReport const& symbols, Build& build)
 {
     build.defined = symbols.defined;
     build.broken.insert(symbols.missing.begin(), symbols.missing.end());
+    build.left_out.insert(build.left_out.end(), symbols.duplicates.begin(), symbols.duplicates.end());
 }
 
 /// The library of a file that does not compile, without the functions that are to blame for it.
-void compile_mended(Submission const& submission, Finished const& failed, Arguments const& call,
+void compile_mended(Submission const& submission, Finished const& failed, CompileOptions const& options,
                     Compiler const& compiler, Build& build)
 {
+    auto const header = usual_header(options, compiler.where);
+    MendedFile const file{source_name, submission.file, std::filesystem::exists(header) ? header.string() : ""};
+    Arguments const call =
+        compiler_call(options, compiler.where, precompiled_header(submission, options, compiler.where));
     build.sources = excerpts(submission.text, recover_definitions(submission.text));
-    auto const mended = mend(submission.text, failed, source_name, submission.file, with_time_limit(call, compiler));
+    auto const mended = mend(submission.text, failed, file, with_time_limit(call, compiler));
     if (!mended)
         return;
     auto const library = compiler.directory / library_name;
@@ -238,7 +248,7 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
         if (!finished.timed_out)
             check_toolchain(compiler_call(options, where, header), compiler);
         note_failure(finished, submission, build);
-        return compile_mended(submission, finished, compiler_call(options, where, header), compiler, build);
+        return compile_mended(submission, finished, options, compiler, build);
     }
     build.library = compiler.directory / library_name;
     auto const symbols = check_symbols(build.library, submission.file, where, compiler.cage);

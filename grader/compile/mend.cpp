@@ -168,8 +168,9 @@ std::size_t begin_of_line(std::string_view text, int line)
     return begin;
 }
 
-/// Leaves out the #include that an error lies in: of a file that is not there.
-bool cut_include(FirstError const& first, Mended& mended)
+/// Leaves out the #include that an error lies in: of a file that is not there. Its name may be that of a header that
+/// everything needs, but for a letter, so such a header takes its place.
+bool cut_include(FirstError const& first, std::string const& header, Mended& mended)
 {
     if (first.lines.empty() || mended.left_out.size() == most_left_out)
         return false;
@@ -177,6 +178,8 @@ bool cut_include(FirstError const& first, Mended& mended)
     if (!starts_with(directive(mended.text, begin), "include"))
         return false;
     cut(mended, begin, end_of_line(mended.text, begin), first.error, first.lines.front());
+    if (!header.empty())
+        mended.text.insert(begin, "#include \"" + header + "\" ");
     return true;
 }
 }  // namespace
@@ -192,8 +195,8 @@ std::string without_line_directives(std::string text)
     return text;
 }
 
-std::optional<Mended> mend(std::string const& text, Finished const& failed, std::string const& source,
-                           std::string const& shown, CompileText const& compile)
+std::optional<Mended> mend(std::string const& text, Finished const& failed, MendedFile const& file,
+                           CompileText const& compile)
 {
     if (failed.timed_out || failed.signal != 0)
         return std::nullopt;
@@ -202,14 +205,14 @@ std::optional<Mended> mend(std::string const& text, Finished const& failed, std:
     while (last.exit_code != 0) {
         if (last.timed_out || last.signal != 0)
             return std::nullopt;
-        auto const first = find_first_error(last.output, source, shown);
+        auto const first = find_first_error(last.output, file.source, file.shown);
         if (!first)
             return std::nullopt;
         if (auto const culprit = find_culprit(*first, mended.text)) {
             if (!mended.broken.emplace(culprit->function, culprit->error).second)
                 return std::nullopt;
             leave_out(mended.text, culprit->function);
-        } else if (!cut_include(*first, mended) && !cut_declaration(*first, mended)) {
+        } else if (!cut_include(*first, file.header, mended) && !cut_declaration(*first, mended)) {
             return std::nullopt;
         }
         last = compile(mended.text);

@@ -74,23 +74,35 @@ bool is_transformed(std::string const& picture)
     return has(picture, "_after_e") || has(picture, "_after_f");
 }
 
+FunctionSet called_in(std::string const& picture)
+{
+    if (picture == miplevels)
+        return set_of({Function::create_mipmap});
+    if (has(picture, "_dudv"))
+        return set_of({Function::compute_uv_aabb_size});
+    FunctionSet called;
+    if (has(picture, "_after_d"))
+        called = set_of({Function::create_mipmap, Function::compute_uv_aabb_size, Function::evaluate_trilinear,
+                         Function::evaluate_bilinear});
+    else
+        called = called.with(has(picture, "_after_c") ? Function::evaluate_bilinear : Function::evaluate_nearest);
+    // The board's textures repeat whatever the mode of the others is.
+    if (has(picture, "goboard") || !(has(picture, "_zero") || has(picture, "_debugmip")))
+        called = called.with(has(picture, "_clamp") ? Function::wrap_clamp : Function::wrap_repeat);
+    if (is_transformed(picture))
+        called = together(called,
+                          set_of({Function::transform_direction, Function::transform_position, Function::intersect}));
+    return has(picture, "_after_f") ? called.with(Function::transform_direction_to_object_space) : called;
+}
+
 FunctionSet functions_in(std::string const& picture)
 {
+    FunctionSet const called = called_in(picture);
+    if (has(picture, "_dudv"))
+        return called.with(Function::intersect);
     FunctionSet const lookups =
         set_of({Function::evaluate_nearest, Function::wrap_clamp, Function::wrap_repeat, Function::evaluate_bilinear});
-    if (picture == miplevels)
-        return lookups.with(Function::create_mipmap);
-    if (has(picture, "_dudv"))
-        return set_of({Function::compute_uv_aabb_size, Function::intersect});
-    FunctionSet functions = lookups.with(Function::intersect);
-    if (has(picture, "_after_d"))
-        functions = together(
-            functions, set_of({Function::create_mipmap, Function::compute_uv_aabb_size, Function::evaluate_trilinear}));
-    if (is_transformed(picture))
-        functions = together(functions, set_of({Function::transform_direction, Function::transform_position}));
-    if (has(picture, "_after_f"))
-        functions = functions.with(Function::transform_direction_to_object_space);
-    return functions;
+    return together(picture == miplevels ? called : called.with(Function::intersect), lookups);
 }
 
 Group picture_group(std::string const& picture)

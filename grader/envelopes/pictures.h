@@ -22,6 +22,10 @@ constexpr int checker_levels = 8;
 /// Whether objects stand where their matrices put them in this picture.
 bool is_transformed(std::string const& picture);
 
+/// The functions that a picture is wrong without: called by the framework or the reference, and not yet right in the
+/// template, as `intersect` is where objects are not transformed.
+FunctionSet called_in(std::string const& picture);
+
 /// The functions that may have a hand in a picture, whichever of their own a student calls from which.
 FunctionSet functions_in(std::string const& picture);
 

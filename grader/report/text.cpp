@@ -195,7 +195,7 @@ private:
     {
         if (int const number = error.at("line").get<int>(); number > 0)
             place += fmt::format("{}{} {}", place.empty() ? "" : ", ", say(line_term), number);
-        line("  {}", wrap(fmt::format("{}: {}", place, text(error.at("message"))), 4));
+        line("  {}", wrap(fmt::format("{}{}{}", place, place.empty() ? "" : ": ", text(error.at("message"))), 4));
     }
 
     void points_line(std::string const& left, double earned, Report const& max)

@@ -139,7 +139,7 @@ Grade score(CheckResults const& results, Build const& build, Rubric const& rubri
     for (auto const& function : rubric.functions) {
         FunctionGrade const graded = grade_function(results, build, rubric, function);
         grade.functions.push_back(build.mended ? nothing_earned(build, function) : graded);
-        bool const is_broken = build.mended || !build.broken.empty();
+        bool const is_broken = !build.broken.empty() || !build.left_out.empty();
         if (is_broken && build.broken.count(function.function) == 0)
             grade.unofficial.push_back(graded);
         grade.earned += grade.functions.back().earned;

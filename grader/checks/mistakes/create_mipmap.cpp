@@ -26,6 +26,8 @@ struct Rule {
     double narrow_brighter = 1;            ///< the same where blocks are 2 x 1 or 1 x 2
     std::optional<glm::ivec2> taken = {};  ///< texel of the block that is taken instead of the mean
     glm::ivec2 averaged = glm::ivec2(2);   ///< texels of the block that count
+    std::optional<double> alpha = {};      ///< of all levels but the first
+    bool only_in_zero_mode = false;        ///< narrow_brighter counts there alone: the wrap mode gives the second texel
 };
 
 glm::dvec4 mean(Level& finer, glm::ivec2 corner, glm::ivec2 count)
@@ -44,7 +46,10 @@ glm::dvec4 combine(Level& finer, glm::ivec2 corner, glm::ivec2 block, Rule const
         return finer.at(place.x, place.y);
     }
     bool const narrow = block != glm::ivec2(2);
-    return mean(finer, corner, glm::min(block, rule.averaged)) * (narrow ? rule.narrow_brighter : rule.brighter);
+    glm::dvec4 colour = mean(finer, corner, glm::min(block, rule.averaged));
+    colour *= narrow ? rule.narrow_brighter : rule.brighter;
+    colour.a = rule.alpha.value_or(colour.a);
+    return colour;
 }
 
 Level next_level(Level& finer, Rule const& rule)
@@ -57,8 +62,10 @@ Level next_level(Level& finer, Rule const& rule)
     return coarser;
 }
 
-std::vector<Level> pyramid(TextureData const& texture, Rule const& rule)
+std::vector<Level> pyramid(TextureData const& texture, Rule rule)
 {
+    if (rule.only_in_zero_mode && texture.wrap_mode != static_cast<std::uint32_t>(Wrap::zero))
+        rule.narrow_brighter = 1;
     Level finest = blank(level_size(texture, 0));
     for (int y = 0; y < finest.size.y; ++y)
         for (int x = 0; x < finest.size.x; ++x)
@@ -145,6 +152,21 @@ Rule averaged(glm::ivec2 texels)
 {
     return {at_one_texel, {}, 1, 1, {}, texels};
 }
+
+Rule with_alpha(double alpha)
+{
+    Rule changed = rule(at_one_texel);
+    changed.alpha = alpha;
+    return changed;
+}
+
+/// Always the mean of four texels by get_texel.
+Rule beyond_the_border()
+{
+    Rule changed = brighter(1, 0.5);
+    changed.only_in_zero_mode = true;
+    return changed;
+}
 }  // namespace
 
 void add_create_mipmap_mistakes(std::vector<Mistake>& mistakes)
@@ -164,6 +186,7 @@ void add_create_mipmap_mistakes(std::vector<Mistake>& mistakes)
     add("mipmap_averages_two_texels", {averaged({2, 1}), averaged({1, 2})});
     add("mipmap_forgets_division",
         {brighter(4, 2), brighter(4, 4), brighter(2, 2), brighter(2, 1), brighter(0.5, 0.5)});
-    add("mipmap_divides_two_by_four", {brighter(1, 0.5)});
+    add("mipmap_divides_two_by_four", {brighter(1, 0.5), beyond_the_border()});
+    add("mipmap_loses_alpha", {with_alpha(0), with_alpha(1)});
 }
 }  // namespace testat

@@ -81,6 +81,8 @@ struct Rule {
     bool size_of_level_zero = false;
     bool texels_of_level_zero = false;
     bool exchange_sides = false;
+    int smaller_by = 0;                ///< what is taken from the size before uv is scaled by it
+    std::optional<double> alpha = {};  ///< of every result
 };
 
 glm::dvec4 interpolate(TextureData const& texture, int level, Place s, Place t)
@@ -93,21 +95,34 @@ glm::dvec4 interpolate(TextureData const& texture, int level, Place s, Place t)
 
 Model model(Rule const& rule)
 {
-    return lookup_model([=](TextureData const& texture, LookupQuestion const& q, glm::dvec2 uv, glm::dvec2) {
-        glm::ivec2 size = level_size(texture, rule.size_of_level_zero ? 0 : q.level);
+    WrongLookup const wrong = [=](TextureData const& texture, LookupQuestion const& q, glm::dvec2 uv, glm::dvec2) {
+        glm::ivec2 size = level_size(texture, rule.size_of_level_zero ? 0 : q.level) - rule.smaller_by;
         if (rule.exchange_sides)
             std::swap(size.x, size.y);
         Place s = rule.along_s(uv.x * size.x);
         Place t = rule.along_t(uv.y * size.y);
         if (rule.exchange_weights)
             std::swap(s.weight, t.weight);
-        return std::optional(interpolate(texture, rule.texels_of_level_zero ? 0 : q.level, s, t));
-    });
+        glm::dvec4 colour = interpolate(texture, rule.texels_of_level_zero ? 0 : q.level, s, t);
+        colour.a = rule.alpha.value_or(colour.a);
+        return std::optional(colour);
+    };
+    return lookup_model(wrong, rule.smaller_by);
 }
 
 Rule both(Axis axis)
 {
     return {axis, axis};
+}
+
+Rule smaller_by_one(Axis axis)
+{
+    return {axis, axis, false, false, false, false, 1, {}};
+}
+
+Rule with_alpha(double alpha)
+{
+    return {right, right, false, false, false, false, 0, alpha};
 }
 }  // namespace
 
@@ -131,5 +146,9 @@ void add_evaluate_bilinear_mistakes(std::vector<Mistake>& mistakes)
     add("bilinear_ignores_level", {{right, right, false, false, true}, {right, right, false, true, true}});
     add("bilinear_size_of_level_zero", {{right, right, false, true}});
     add("bilinear_swaps_width_and_height", {{right, right, false, false, false, true}});
+    add("bilinear_scales_by_size_minus_one",
+        {smaller_by_one(right), smaller_by_one(without_shift), smaller_by_one(cast), smaller_by_one(cast_without_shift),
+         smaller_by_one(cast_with_fraction_without_shift)});
+    add("bilinear_loses_alpha", {with_alpha(0), with_alpha(1)});
 }
 }  // namespace testat

@@ -218,6 +218,17 @@ Model reads_behind_the_last(Outside above)
     });
 }
 
+/// The finer of the two levels is not clamped, the coarser one is: right up to one level behind the last.
+Model clamps_only_the_coarser(Outside below)
+{
+    return lookup_model([=](TextureData const& texture, LookupQuestion const&, glm::dvec2 uv, glm::dvec2 dudv) {
+        double const t = std::log2(larger_side(dudv, level_size(texture, 0)));
+        if (below != nullptr && t < 0)
+            return below(texture, uv, t);
+        return t >= last_level(texture) + 1 ? Value() : Value(within_levels(texture, uv, t, {}));
+    });
+}
+
 /// log2(0) is minus infinity; nothing else goes wrong.
 Model undefined_without_footprint()
 {
@@ -241,10 +252,11 @@ void add_evaluate_trilinear_mistakes(std::vector<Mistake>& mistakes)
     }
     add("trilinear_not_clamped_below", not_clamped_below);
     add("trilinear_not_clamped_above", {not_clamped(nullptr, no_such_level), reads_behind_the_last(no_such_level),
-                                        not_clamped(nullptr, extrapolated_above)});
+                                        not_clamped(nullptr, extrapolated_above), clamps_only_the_coarser(nullptr)});
     add("trilinear_not_clamped",
         {not_clamped(no_such_level, no_such_level), not_clamped(cast_below, no_such_level),
-         not_clamped(no_such_level, no_such_level, false), not_clamped(cast_below, no_such_level, false)});
+         not_clamped(no_such_level, no_such_level, false), not_clamped(cast_below, no_such_level, false),
+         clamps_only_the_coarser(no_such_level), clamps_only_the_coarser(cast_below)});
     add("trilinear_crashes_at_last_level", {reads_behind_the_last(nullptr)});
     add("trilinear_nan_without_footprint", {undefined_without_footprint()});
     add("trilinear_footprint_in_uv", {model({in_uv})});

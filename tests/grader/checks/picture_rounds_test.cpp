@@ -66,7 +66,7 @@ TEST_F(PictureRounds, MakeNothingOfAFileThatDoesNotLink)
 TEST_F(PictureRounds, IsolateNothingWhereAllIsRight)
 {
     EXPECT_TRUE(ask_isolated(rubric_, results_, build_).groups.empty());
-    EXPECT_TRUE(ask_repaired(results_).groups.empty());
+    EXPECT_TRUE(ask_repaired(results_, FunctionSet::all()).groups.empty());
 }
 
 TEST_F(PictureRounds, IsolateWhatFailsAUnitCheck)
@@ -124,8 +124,20 @@ TEST_F(PictureRounds, RepairWhatIsWrongAsSubmitted)
     fail("WrapRepeat.NegativeIndices");
     fail("EvaluateNearest.UpperFractions");
     picture("plane_after_c").submitted->comparison.score = 0;
-    EXPECT_EQ(names(ask_repaired(results_)),
+    EXPECT_EQ(names(ask_repaired(results_, FunctionSet::all())),
               (std::set<std::string>{"repaired/plane_after_c/none", "repaired/plane_after_c/wrap_repeat",
                                      "repaired/plane_after_c/evaluate_nearest"}));
+}
+
+TEST_F(PictureRounds, RepairNothingToSeeWhatIsKnown)
+{
+    for (auto const& function : rubric_.functions)
+        fail(function.checks.front().name);
+    for (auto& picture : results_.pictures)
+        picture.submitted->comparison.score = 0;
+    EXPECT_TRUE(ask_repaired(results_, FunctionSet()).groups.empty());
+    explain(results_, FunctionSet(), {}, installation());
+    EXPECT_EQ(picture("plane_after_b_clamp").explained_by,
+              (std::vector<std::string>{"evaluate_nearest", "wrap_clamp"}));
 }
 }  // namespace testat

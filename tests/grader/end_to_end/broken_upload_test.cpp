@@ -89,6 +89,7 @@ TEST(Upload, MayHaveAMainOfItsOwn)
     Json const report = expect_zero(grade_text(reference_text() + "\nint main()\n{\n    return 0;\n}\n"));
     EXPECT_NE(first_message(report).find("main"), std::string::npos);
     EXPECT_EQ(report.at("policy").at("earned_without"), 20);
+    EXPECT_EQ(report.at("unofficial").at("earned"), 20);
 }
 
 TEST(Upload, MayDefineWhatTheFrameworkDefines)
@@ -160,6 +161,17 @@ TEST_P(Compiler, SaysWhichIncludeIsMissing)
     Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
     EXPECT_NE(first_message(report).find("my_helpers.h"), std::string::npos);
     EXPECT_EQ(report.at("build").at("diagnostics").at(0).at("line"), 1);
+}
+
+/// One that everything needs, with a letter missing.
+TEST_P(Compiler, ReadsTheHeaderWhoseNameIsMisspelt)
+{
+    std::string text = reference_text();
+    std::string const name = "cglib/rt/texture.h";
+    text.replace(text.find(name), name.size(), "cglib/rt/textur.h");
+    Json const report = expect_zero(grade_text(text, {"--compiler", GetParam()}));
+    EXPECT_NE(report.at("unofficial").at("left_out").at(0).at("message").dump().find("textur.h"), std::string::npos);
+    EXPECT_EQ(report.at("unofficial").at("earned"), 20);
 }
 
 TEST_P(Compiler, SaysWhichFunctionIsUndefined)
