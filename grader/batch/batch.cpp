@@ -269,7 +269,7 @@ bool batch(BatchOptions const& options)
                                  "; to mend it: " + trouble.remedy);
     claim(options.out);
     Store const store(options.out / store_name);
-    TemporaryDirectory const scratch;
+    TemporaryDirectory const scratch(store.work());
     std::string const deadline =
         options.deadline.empty() ? read_rubric(installation().rubric).deadline : options.deadline;
     Intake const intake = take_in(options.input, scratch.path() / "input", parse_deadline(deadline));

@@ -76,8 +76,8 @@ Store::Store(fs::path root) : root_(std::move(root))
         throw std::runtime_error("cannot write to " + root_.string());
     if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0)
         throw std::runtime_error("another batch works in " + root_.parent_path().string());
-    fs::remove_all(root_ / "work");
-    fs::create_directories(root_ / "work");
+    fs::remove_all(work());
+    fs::create_directories(work());
 }
 
 std::string Store::key(fs::path const& file, GradingBasis const& basis)
@@ -101,7 +101,7 @@ std::optional<Report> Store::find(std::string const& key) const
 
 fs::path Store::begin(std::string const& key) const
 {
-    fs::path folder = root_ / "work" / key;
+    fs::path folder = work() / key;
     fs::remove_all(folder);
     return folder;
 }
@@ -109,6 +109,6 @@ fs::path Store::begin(std::string const& key) const
 void Store::keep(std::string const& key) const
 {
     fs::remove_all(folder(key));
-    fs::rename(root_ / "work" / key, folder(key));
+    fs::rename(work() / key, folder(key));
 }
 }  // namespace testat

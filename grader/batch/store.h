@@ -35,6 +35,9 @@ public:
 
     std::filesystem::path folder(std::string const& key) const { return root_ / "results" / key; }
 
+    /// Whatever lies there when a batch is killed is taken away by the next one.
+    std::filesystem::path work() const { return root_ / "work"; }
+
     /// The report kept for it, if one is there and says "graded".
     std::optional<Report> find(std::string const& key) const;
 

@@ -299,9 +299,9 @@ Finished run(Command const& command)
     return finished;
 }
 
-TemporaryDirectory::TemporaryDirectory()
+TemporaryDirectory::TemporaryDirectory(std::filesystem::path const& parent)
 {
-    std::string pattern = (std::filesystem::temp_directory_path() / "testat-XXXXXX").string();
+    std::string pattern = (parent / "testat-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
         fail("temporary directory " + pattern);
     path_ = pattern;

@@ -53,10 +53,10 @@ void wait_for(double seconds);
 /// Whether a program of that name is in PATH and executable.
 bool is_in_path(std::string const& program);
 
-/// A new directory below the system's temporary one, removed with everything in it at the end of its life.
+/// A new directory below another one, removed with everything in it at the end of its life.
 class TemporaryDirectory {
 public:
-    TemporaryDirectory();
+    explicit TemporaryDirectory(std::filesystem::path const& parent = std::filesystem::temp_directory_path());
     ~TemporaryDirectory();
     TemporaryDirectory(TemporaryDirectory const&) = delete;
     TemporaryDirectory& operator=(TemporaryDirectory const&) = delete;

@@ -117,8 +117,10 @@ TEST_F(Batch, GoesOnAfterBeingKilled)
         pollfd p{process.get(), POLLIN, 0};
         EXPECT_TRUE(process.get() < 0 || poll(&p, 1, 60'000) == 1) << "something goes on";
     }
+    EXPECT_FALSE(fs::is_empty(out / ".testat/work"));
     EXPECT_EQ(run_batch().exit_code, 0);
     EXPECT_EQ(grades(), undisturbed);
+    EXPECT_TRUE(fs::is_empty(out / ".testat/work"));
 }
 
 TEST_F(Batch, AsksBeforePointsChange)
