@@ -1,5 +1,6 @@
 #include "grade.h"
 
+#include "checks/circular.h"
 #include "checks/picture_rounds.h"
 #include "checks/remarks.h"
 #include "checks/run_checks.h"
@@ -67,7 +68,10 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     Observations const differences = answers(isolated);
     judge_isolated(results, differences, where);
     results.remarks = find_remarks(units, again, differences);
-    explain(results, build.written(), answers(ask_repaired(results, build.written())), where);
+    Observations const repaired = answers(ask_repaired(results, build.written()));
+    explain(results, build.written(), repaired, where);
+    FunctionSet const right_alone = unexplained(results, build.written(), repaired, where);
+    take_credit(results, find_circular(right_alone, questions, answers));
     double const check_ms = ms_since(start) - compiled_ms - observe_ms;
     Grade const grade = score(results, build, rubric, options.lenient);
     write_pictures(results, options.out, where.envelopes);

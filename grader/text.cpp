@@ -37,7 +37,9 @@ bool is_invisible(std::uint32_t code)
     bool const control = (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0);
     bool const direction = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) || code == 0x200e ||
                            code == 0x200f || code == 0x061c;
-    return control || direction || code == 0xfeff || code == 0x2028 || code == 0x2029;
+    bool const no_width = (code >= 0x200b && code <= 0x200d) || (code >= 0x2060 && code <= 0x2064) || code == 0xad ||
+                          code == 0x180e || code == 0xfeff || (code >= 0xe0000 && code <= 0xe007f);
+    return control || direction || no_width || code == 0x2028 || code == 0x2029;
 }
 }  // namespace
 

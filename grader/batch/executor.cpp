@@ -11,10 +11,14 @@
 
 namespace testat {
 namespace {
+/// What graders take over of our environment: where temporary files go, and how memory is handed out.
 std::vector<std::string> variables()
 {
-    char const* const folder = std::getenv("TMPDIR");
-    return folder == nullptr ? std::vector<std::string>() : std::vector<std::string>{std::string("TMPDIR=") + folder};
+    std::vector<std::string> kept;
+    for (std::string const name : {"TMPDIR", "GLIBC_TUNABLES"})
+        if (char const* const value = std::getenv(name.c_str()))
+            kept.push_back(name + "=" + value);
+    return kept;
 }
 }  // namespace
 

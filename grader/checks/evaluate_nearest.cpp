@@ -53,7 +53,7 @@ glm::ivec2 outer_place(Random& random, glm::ivec2 size, int periods)
     return place;
 }
 
-/// Now and then on coarser levels.
+/// Now and then on coarser levels, also those whose shorter side is 1 for more than one level.
 Group ask_outside(Random& random, Textures const& textures)
 {
     constexpr TestTexture modes[] = {TestTexture::coded_wide, TestTexture::coded_wide_clamp, TestTexture::coded_wide,
@@ -61,7 +61,7 @@ Group ask_outside(Random& random, Textures const& textures)
     std::vector<LookupQuestion> questions;
     for (std::size_t i = 0; i < questions_each; ++i) {
         TestTexture const texture = modes[i % std::size(modes)];
-        int const level = i % 16 >= 12 ? random.integer(1, 2) : 0;
+        int const level = i % 16 >= 12 ? random.integer(1, 5) : 0;
         glm::ivec2 const size = level_size(at(textures, texture), level);
         // Up to three periods away at first, up to |u| = 1e4 towards the end.
         int const periods = i < questions_each * 3 / 4 ? 3 : 10'000;

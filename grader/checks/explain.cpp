@@ -79,12 +79,18 @@ bool are_all(std::vector<Function> const& suspected, std::string const& picture)
     return (functions_in(picture).bits() & all_without(suspected).bits()) == 0;
 }
 
+bool is_right_without(std::vector<Function> const& suspected, PictureResult const& result,
+                      Observations const& observations, Envelope const& envelope)
+{
+    return are_all(suspected, result.name) || is_right(result, none, observations, envelope);
+}
+
 /// The suspects that spoil the picture, each by itself; all of them if it takes several together. Nobody if the
 /// picture stays wrong without them.
 std::vector<std::string> find_culprits(PictureResult const& result, std::vector<Function> const& suspected,
                                        FunctionSet written, Observations const& observations, Envelope const& envelope)
 {
-    if (!are_all(suspected, result.name) && !is_right(result, none, observations, envelope))
+    if (!is_right_without(suspected, result, observations, envelope))
         return {};
     std::vector<std::string> all;
     std::vector<std::string> culprits;
@@ -114,6 +120,20 @@ Request ask_repaired(CheckResults const& results, FunctionSet written)
                 add_group(picture.name, std::string(info(f).name), unsuspected.with(f), request);
     }
     return request;
+}
+
+FunctionSet unexplained(CheckResults const& results, FunctionSet written, Observations const& repaired,
+                        Installation const& where)
+{
+    std::uint32_t found = 0;
+    for (auto const& picture : results.pictures) {
+        auto const suspected = suspects(results, picture.name);
+        if (needs_explaining(picture) &&
+            !is_right_without(suspected, picture, repaired,
+                              read_envelope(where.envelopes / (picture.name + ".envelope"))))
+            found |= functions_in(picture.name).bits() & all_without(suspected).bits();
+    }
+    return FunctionSet(found & written.bits());
 }
 
 void explain(CheckResults& results, FunctionSet written, Observations const& repaired, Installation const& where)

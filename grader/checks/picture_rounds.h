@@ -25,6 +25,10 @@ void judge_isolated(CheckResults& results, Observations const& observations, Ins
 /// looks like without a function that is not `written` is known.
 Request ask_repaired(CheckResults const& results, FunctionSet written);
 
+/// The functions that are right alone and have a hand in a picture that is wrong without its suspects.
+FunctionSet unexplained(CheckResults const& results, FunctionSet written, Observations const& repaired,
+                        Installation const& where);
+
 /// Fills explained_by from the answers to ask_repaired.
 void explain(CheckResults& results, FunctionSet written, Observations const& repaired, Installation const& where);
 

@@ -3,6 +3,7 @@
 #include "compile/diagnostics.h"
 #include "compile/mend.h"
 #include "compile/symbols.h"
+#include "process/tree.h"
 #include "source/definitions.h"
 #include "source/includes.h"
 #include "text.h"
@@ -142,9 +143,11 @@ bool is_plain_file(std::filesystem::path const& file)
 
 Diagnostic failure_without_message(Finished const& compiler)
 {
-    std::string const why = compiler.timed_out     ? "the compiler needed more than 20 s, or 3 GB, and was stopped"
-                            : compiler.signal != 0 ? "the compiler crashed or ran out of memory"
-                                                   : "the compiler failed: " + clean_text(compiler.output, 400);
+    std::string const why =
+        compiler.timed_out
+            ? "the compiler needed more than 20 s of CPU time, 60 s by the clock, or 3 GB, and was stopped"
+        : compiler.signal != 0 ? "the compiler crashed or ran out of memory"
+                               : "the compiler failed: " + clean_text(compiler.output, 400);
     return {"", 0, 0, "error", why};
 }
 
@@ -181,8 +184,7 @@ double seconds_since(Clock::time_point start)
 /// Compiles texts until the time for all of them is used up.
 CompileText with_time_limit(Arguments const& call, Compiler const& compiler)
 {
-    return [&call, &compiler, start = Clock::now(), cpu_s = mending_cpu_s](std::string const& text) mutable {
-        double const wall_s = mending_wall_s - seconds_since(start);
+    return [&call, &compiler, cpu_s = mending_cpu_s, wall_s = mending_wall_s](std::string const& text) mutable {
         Finished finished;
         finished.timed_out = !(cpu_s > 0 && wall_s > 0);
         if (finished.timed_out)
@@ -190,6 +192,7 @@ CompileText with_time_limit(Arguments const& call, Compiler const& compiler)
         write_source(text, compiler.directory);
         finished = compiler(call, std::min(cpu_s, compiler_cpu_s), wall_s);
         cpu_s -= finished.cpu_s;
+        wall_s -= finished.wall_s;
         return finished;
     };
 }
@@ -238,6 +241,7 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
 {
     Installation const& where = compiler.where;
     Arguments const header = precompiled_header(submission, options, where);
+    long long const kills_before = out_of_memory_kills();
     Finished finished = compiler(compiler_call(options, where, header));
     if (finished.exit_code != 0 && !finished.timed_out && !header.empty())
         finished = compiler(compiler_call(options, where, {}));
@@ -245,6 +249,9 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
         // What the upload has written must not make a full disk of it.
         std::filesystem::remove(compiler.directory / library_name);
         check_space(compiler.directory);
+        // The drivers say so; a text can make them say it, but not the kernel.
+        if (finished.output.find("Killed") != std::string::npos && out_of_memory_kills() > kills_before)
+            throw std::runtime_error("this machine has too little memory: its kernel killed the compiler");
         if (!finished.timed_out)
             check_toolchain(compiler_call(options, where, header), compiler);
         note_failure(finished, submission, build);

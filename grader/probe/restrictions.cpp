@@ -48,7 +48,9 @@ void allow_computing(SystemCallFilter& filter)
                          SCMP_SYS(getegid), SCMP_SYS(getrusage), SCMP_SYS(times), SCMP_SYS(sched_yield),
                          SCMP_SYS(sched_getaffinity), SCMP_SYS(getcpu)});
     filter.add(allowed, {SCMP_SYS(exit), SCMP_SYS(exit_group)});
-    filter.add(allowed, {SCMP_SYS(mmap), SCMP_SYS(mprotect)}, {low_bits_are(2, PROT_EXEC, 0)});
+    filter.add(allowed, {SCMP_SYS(mprotect)}, {low_bits_are(2, PROT_EXEC, 0)});
+    // What is shared stays in memory when one page of it is kept, and is no longer counted.
+    filter.add(allowed, {SCMP_SYS(mmap)}, {low_bits_are(2, PROT_EXEC, 0), low_bits_are(3, MAP_SHARED, 0)});
     filter.add(allowed, {SCMP_SYS(mremap)}, {low_bits_are(3, MREMAP_FIXED, 0)});   // not over code
     filter.add(allowed, {SCMP_SYS(tgkill)}, {low_bits_are(0, ~0u, own_process)});  // abort() and the like
 }

@@ -2,6 +2,8 @@
 
 #include "probe/accounts.h"
 #include "probe/child.h"
+#include "probe/fair_time.h"
+#include "process/run.h"
 
 #include <poll.h>
 #include <sys/mman.h>
@@ -35,20 +37,55 @@ double now_s()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Waits until the child has ended or the wall time is up; true if it is up.
-bool wait_for(pid_t pid, double wall_s)
+/// CPU seconds of a process, all threads together.
+double cpu_seconds_of(pid_t pid)
 {
-    int const handle = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
-    if (handle < 0)
-        fail("pidfd_open");
-    pollfd p{handle, POLLIN, 0};
-    int ready;
-    do {
-        ready = poll(&p, 1, static_cast<int>(std::ceil(wall_s * 1000)));
-    } while (ready < 0 && errno == EINTR);
-    close(handle);
-    return ready == 0;
+    clockid_t clock;
+    timespec time{};
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+        return 0;
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
+
+/// Waits for a child, looking at it five times a second.
+class Wait {
+public:
+    explicit Wait(pid_t pid) : pid_(pid), handle_(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)))
+    {
+        if (handle_.get() < 0)
+            fail("pidfd_open");
+    }
+
+    /// Until it has ended or so much time has passed, in fairness; true if it has passed.
+    bool is_late(double wall_s)
+    {
+        while (time_.spent_s() < wall_s)
+            if (has_ended(std::min(wall_s - time_.spent_s(), look_again_s)))
+                return false;
+        return true;
+    }
+
+    double spent_s() const { return time_.spent_s(); }
+
+private:
+    static constexpr double look_again_s = 0.2;
+
+    bool has_ended(double within_s)
+    {
+        double const start_s = now_s();
+        pollfd p{handle_.get(), POLLIN, 0};
+        int const ready = poll(&p, 1, static_cast<int>(std::ceil(within_s * 1000)));
+        double const cpu_s = ready == 1 ? HUGE_VAL : cpu_seconds_of(pid_);
+        time_.pass(now_s() - start_s, cpu_s - cpu_s_);
+        cpu_s_ = cpu_s;
+        return ready == 1;
+    }
+
+    pid_t pid_;
+    Descriptor handle_;
+    FairTime time_;
+    double cpu_s_ = 0;
+};
 
 /// Ends whatever the child has left behind and collects the dead.
 void sweep(pid_t session)
@@ -61,13 +98,16 @@ void sweep(pid_t session)
 struct Death {
     int status = 0;
     double cpu_s = 0;
+    double wall_s = 0;
     bool late = false;
 };
 
 Death await_death(pid_t pid, double limit_s)
 {
     Death death;
-    death.late = wait_for(pid, Accounts::wall_limit(limit_s));
+    Wait wait(pid);
+    death.late = wait.is_late(Accounts::wall_limit(limit_s));
+    death.wall_s = wait.spent_s();
     if (death.late)
         kill(-pid, SIGKILL);
     rusage usage{};
@@ -155,7 +195,6 @@ public:
           assets_(assets),
           restrictions_(libraries.upload),
           board_(largest(request)),
-          start_s_(now_s()),
           accounts_(request.limits, request.hanging)
     {
         if (!can_be_restricted(restrictions_))
@@ -165,7 +204,7 @@ public:
     void answer_group(Group const& group, int answers)
     {
         board_.wipe(group.answer_size());
-        double const limit_s = loading_hangs_ ? 0 : accounts_.limit_for(group.from_upload, now_s() - start_s_);
+        double const limit_s = loading_hangs_ ? 0 : accounts_.limit_for(group.from_upload, elapsed_s_);
         GroupStatus const status = limit_s > 0 ? run(group, limit_s) : out_of_time();
         write_all(answers, &status, sizeof status);
         write_all(answers, board_.answers(), 4 * group.answer_size());
@@ -189,7 +228,6 @@ private:
 
     GroupStatus run(Group const& group, double limit_s)
     {
-        double const start_s = now_s();
         Descriptor const output = memory_file("output");
         pid_t const pid = fork();
         if (pid < 0)
@@ -201,7 +239,8 @@ private:
         GroupStatus status = describe(death, board_.board(), limit_s);
         read_output(output, status);
         bool const late = status.ended == Ended::timed_out;
-        accounts_.charge(group.from_upload, status.cpu_s, now_s() - start_s, late);
+        elapsed_s_ += death.wall_s;
+        accounts_.charge(group.from_upload, status.cpu_s, death.wall_s, late);
         loading_hangs_ = loading_hangs_ || (late && board_.board().phase == Phase::loading);
         return status;
     }
@@ -211,7 +250,7 @@ private:
     AssetLibrary& assets_;
     Restrictions const restrictions_;
     SharedBoard board_;
-    double const start_s_;
+    double elapsed_s_ = 0;  ///< of the children, in fairness
     Accounts accounts_;
     bool loading_hangs_ = false;
 };

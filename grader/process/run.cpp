@@ -148,7 +148,10 @@ class Watch {
 public:
     Watch(Command const& command, pid_t root) : command_(command), root_(root) {}
 
-    double left_s() const { return command_.wall_s > 0 ? command_.wall_s - seconds_since(start_) : HUGE_VAL; }
+    double left_s() const { return command_.wall_s > 0 ? command_.wall_s - spent_s() : HUGE_VAL; }
+
+    /// By the clock, less what the tree had to wait for a processor until the last look at it.
+    double spent_s() const { return spent_s_ + seconds_since(last_look_); }
 
     /// Throws Interrupted on Ctrl-C.
     bool is_over()
@@ -169,21 +172,34 @@ private:
     {
         if (seconds_since(last_look_) < look_again_s || (command_.tree_cpu_s <= 0 && command_.tree_memory == 0))
             return false;
-        last_look_ = Clock::now();
         TreeUsage const usage = usage_of_tree(root_);
+        count_time(usage);
         return (command_.tree_cpu_s > 0 && usage.cpu_s > command_.tree_cpu_s) ||
                (command_.tree_memory > 0 && usage.memory > command_.tree_memory);
     }
 
+    /// While several wait it is their time once.
+    void count_time(TreeUsage const& usage)
+    {
+        double waited_s = 0;
+        for (auto const& [process, all_s] : usage.waited_s)
+            waited_s += std::max(0., all_s - waited_s_[process]);
+        double const passed_s = seconds_since(last_look_);
+        spent_s_ += passed_s - std::min(waited_s, passed_s);
+        last_look_ = Clock::now();
+        waited_s_ = usage.waited_s;
+    }
+
     Command const& command_;
     pid_t root_;
-    Clock::time_point start_ = Clock::now();
-    Clock::time_point last_look_ = start_;
+    Clock::time_point last_look_ = Clock::now();
+    double spent_s_ = 0;
+    std::map<pid_t, double> waited_s_;
 };
 
 /// Collects output until the child has ended or used up a limit; true if it has. What others who hold the pipe write
 /// later is not waited for.
-bool attend(int child, int pipe, Watch watch, std::string& output)
+bool attend(int child, int pipe, Watch& watch, std::string& output)
 {
     pollfd events[] = {{child, POLLIN, 0}, {pipe, POLLIN, 0}};
     for (;;) {
@@ -289,9 +305,11 @@ Finished run(Command const& command)
     Descriptor const handle(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
     if (handle.get() < 0)
         fail("pidfd_open for " + program);
-    bool const late = attend(handle.get(), read_end.get(), Watch(command, pid), output);
+    Watch watch(command, pid);
+    bool const late = attend(handle.get(), read_end.get(), watch, output);
     Finished finished = child.end(late);
     finished.output = std::move(output);
+    finished.wall_s = watch.spent_s();
     finished.timed_out = late || finished.signal == SIGXCPU ||
                          (command.cpu_s > 0 && finished.signal == SIGKILL && finished.cpu_s >= command.cpu_s);
     if (finished.exit_code == 127 && finished.output.empty())

@@ -14,9 +14,9 @@ struct Command {
     std::filesystem::path directory = "/";
     std::vector<std::pair<int, int>> descriptors;  ///< {ours, theirs}; stdin, stdout and stderr are taken care of
     double cpu_s = 0;                              ///< for each process; the kernel enforces it
-    double wall_s = 0;
-    std::size_t address_space = 0;            ///< bytes, for each process; the kernel enforces it
-    std::size_t file_size = 0;                ///< bytes, for each file; the kernel enforces it
+    double wall_s = 0;                             ///< see Finished
+    std::size_t address_space = 0;                 ///< bytes, for each process; the kernel enforces it
+    std::size_t file_size = 0;                     ///< bytes, for each file; the kernel enforces it
     double tree_cpu_s = 0;                    ///< for the program and all that it starts; looked at five times a second
     std::size_t tree_memory = 0;              ///< bytes, likewise
     std::vector<std::string> variables = {};  ///< "NAME=value", besides the minimal environment or instead of it
@@ -33,6 +33,7 @@ struct Finished {
     bool timed_out = false;  ///< a limit on time, or on the memory of all processes together
     std::string output;      ///< the first `most_output` bytes of stdout and stderr together
     double cpu_s = 0;
+    double wall_s = 0;  ///< by the clock, less what its processes had to wait for a processor
 };
 
 /// Ctrl-C or SIGTERM arrived; everything started so far is gone when this is caught.

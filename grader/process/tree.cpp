@@ -36,6 +36,15 @@ double cpu_seconds_of(fs::path const& process)
     return double(ticks) / double(sysconf(_SC_CLK_TCK));
 }
 
+/// From the scheduler's figures, which a kernel may lack; nanoseconds.
+double waited_seconds_of(fs::path const& process)
+{
+    double computed = 0;
+    double waited = 0;
+    std::ifstream(process / "schedstat") >> computed >> waited;
+    return 1e-9 * waited;
+}
+
 struct Pages {
     std::size_t resident = 0;
     std::size_t shared = 0;
@@ -60,6 +69,16 @@ void add_children(fs::path const& process, std::vector<pid_t>& to)
 }
 }  // namespace
 
+long long out_of_memory_kills()
+{
+    std::ifstream in("/proc/vmstat");
+    std::string name;
+    for (long long count = 0; in >> name >> count;)
+        if (name == "oom_kill")
+            return count;
+    return 0;
+}
+
 TreeUsage usage_of_tree(pid_t root)
 {
     TreeUsage usage;
@@ -69,6 +88,7 @@ TreeUsage usage_of_tree(pid_t root)
     for (std::size_t i = 0; i < tree.size(); ++i) {
         fs::path const process = "/proc/" + std::to_string(tree[i]);
         usage.cpu_s += cpu_seconds_of(process);
+        usage.waited_s[tree[i]] = waited_seconds_of(process);
         Pages const pages = pages_of(process);
         own += pages.resident - std::min(pages.shared, pages.resident);
         shared = std::max(shared, pages.shared);

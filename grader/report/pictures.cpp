@@ -92,6 +92,15 @@ void write_picture(PictureResult const& result, PictureKind kind, std::filesyste
                                                         ? encode_png(draw_difference(picture, result.expected), false)
                                                         : encode_picture(result.name, picture));
 }
+
+void write_kinds(PictureResult const& result, std::filesystem::path const& directory,
+                 std::filesystem::path const& envelopes)
+{
+    std::filesystem::copy_file(envelopes / (result.name + ".png"),
+                               directory / file_name(result, PictureKind::expected));
+    for (auto kind : {PictureKind::isolated, PictureKind::submitted, PictureKind::difference})
+        write_picture(result, kind, directory);
+}
 }  // namespace
 
 std::optional<std::string> picture_file(PictureResult const& result, PictureKind kind)
@@ -124,11 +133,12 @@ void write_pictures(CheckResults const& results, std::filesystem::path const& di
     auto const fresh = directory / "pictures.part";
     std::filesystem::remove_all(fresh);
     std::filesystem::create_directories(fresh);
-    for (auto const& picture : results.pictures) {
-        std::filesystem::copy_file(envelopes / (picture.name + ".png"),
-                                   fresh / file_name(picture, PictureKind::expected));
-        for (auto kind : {PictureKind::isolated, PictureKind::submitted, PictureKind::difference})
-            write_picture(picture, kind, fresh);
+    try {
+        for (auto const& picture : results.pictures)
+            write_kinds(picture, fresh, envelopes);
+    } catch (...) {
+        std::filesystem::remove_all(fresh);
+        throw;
     }
     replace_directory(fresh, directory / "pictures");
 }

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <set>
@@ -33,11 +32,6 @@ constexpr int processes = 32;
 void append(Arguments& to, Arguments const& more)
 {
     to.insert(to.end(), more.begin(), more.end());
-}
-
-double now_s()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Root needs no user namespace, and what root alone may read can be mounted; for anybody else there is no other way.
@@ -231,7 +225,7 @@ Finished run_caged(Caged const& caged, uid_t uid)
 }
 }  // namespace
 
-Cage::Cage(Confinement confinement, Allowance allowance) : allowance_(allowance), start_s_(now_s())
+Cage::Cage(Confinement confinement, Allowance allowance) : allowance_(allowance)
 {
     if (confinement == Confinement::none)
         return;
@@ -248,7 +242,7 @@ Cage::Cage(Confinement confinement, Allowance allowance) : allowance_(allowance)
 Allowance Cage::left() const
 {
     std::lock_guard<std::mutex> const lock(mutex_);
-    return {allowance_.cpu_s - spent_cpu_s_, allowance_.wall_s - (now_s() - start_s_), allowance_.memory};
+    return {allowance_.cpu_s - spent_cpu_s_, allowance_.wall_s - spent_wall_s_, allowance_.memory};
 }
 
 Finished Cage::run(Caged const& caged)
@@ -268,6 +262,7 @@ Finished Cage::run(Caged const& caged)
     finished.timed_out = finished.timed_out || is_out_of_cpu_time(finished, limited.command.cpu_s);
     std::lock_guard<std::mutex> const lock(mutex_);
     spent_cpu_s_ += finished.cpu_s;
+    spent_wall_s_ += finished.wall_s;
     return finished;
 }
 

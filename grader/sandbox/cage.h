@@ -66,9 +66,9 @@ public:
 private:
     std::optional<Slot> slot_;
     Allowance allowance_;
-    double start_s_;
     mutable std::mutex mutex_;
     double spent_cpu_s_ = 0;
+    double spent_wall_s_ = 0;
 };
 
 /// Why no cage can be put up on this machine, and what to do about it; empty if one can.

@@ -2,6 +2,7 @@
 
 #include "packed_texels.h"
 #include "picture_file.h"
+#include "texel_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,10 @@ namespace {
 std::vector<glm::vec4> blank(int width, int height)
 {
     cg_assert(width >= 0 && height >= 0);
-    return std::vector<glm::vec4>(std::size_t(width) * std::size_t(height), glm::vec4(0.f));
+    std::size_t const count = std::size_t(width) * std::size_t(height);
+    std::vector<glm::vec4> texels = reserve_texels(count);
+    texels.resize(count, glm::vec4(0.f));
+    return texels;
 }
 }  // namespace
 

@@ -101,6 +101,8 @@ Hole const holes[] = {
          int s[2];
          return socketpair(AF_UNIX, SOCK_STREAM, 0, s) == 0;
      }},
+    {"SharedMemory",
+     [] { return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) != MAP_FAILED; }},
     {"MemoryFiles", [] { return memfd_create("x", 0) >= 0; }},
     {"Pipes",
      [] {

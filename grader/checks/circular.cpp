@@ -1,0 +1,82 @@
+#include "checks/circular.h"
+
+#include "checks/check.h"
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+/// Functions of the upload are less exact than the reference's, within what is allowed for each.
+constexpr double by_far = 100;
+
+bool are_several(FunctionSet functions)
+{
+    return (functions.bits() & (functions.bits() - 1)) != 0;
+}
+
+/// The unit checks of the functions, all of which come from the upload.
+Request ask_together(Questions const& questions, FunctionSet functions)
+{
+    Request request = questions.request;
+    auto const is_other = [&](Group const& group) { return !functions.has(group.under_test); };
+    request.groups.erase(std::remove_if(request.groups.begin(), request.groups.end(), is_other), request.groups.end());
+    for (auto& group : request.groups)
+        group.from_upload = functions;
+    return request;
+}
+
+bool fails(UnitCheck const& check, Answers const& answers, Textures const& textures)
+{
+    return answers.status.ended != Ended::answered || !(check.judge(answers, textures).error() <= by_far);
+}
+
+FunctionSet failing(Observations const& observations, Textures const& textures)
+{
+    FunctionSet found;
+    for (auto const& check : unit_checks())
+        if (auto const* answers = observations.find(check.name); answers && fails(check, *answers, textures))
+            found = found.with(check.function);
+    return found;
+}
+
+std::string names(FunctionSet functions)
+{
+    std::string list;
+    for (Function f : every_function())
+        if (functions.has(f))
+            list += (list.empty() ? "" : ", ") + std::string(info(f).name);
+    return list;
+}
+}  // namespace
+
+FunctionSet find_circular(FunctionSet functions, Questions const& questions, Ask const& ask)
+{
+    auto const failing_together = [&](FunctionSet together) {
+        return are_several(together) ? failing(ask(ask_together(questions, together)), questions.request.textures)
+                                     : FunctionSet();
+    };
+    // What only calls something whose mistake no check of its own shows is right again once that is the reference's.
+    for (FunctionSet left = failing_together(functions); left != functions; left = failing_together(functions))
+        functions = left;
+    // What only calls one of the others makes none of them right when it is the reference's itself.
+    for (Function f : every_function())
+        if (functions.has(f) && failing_together(functions.without(f)) == functions.without(f))
+            functions = functions.without(f);
+    return are_several(functions) ? functions : FunctionSet();
+}
+
+void take_credit(CheckResults& results, FunctionSet circular)
+{
+    for (auto& check : results.checks)
+        if (circular.has(check.function)) {
+            std::string const others = names(circular.without(check.function));
+            check.passed = false;
+            check.detail = "right only while " + others + " is the reference's, and so the other way round";
+            check.trouble =
+                Phrase{"Die Funktion stimmt nur, solange " + others +
+                           " nicht aus Ihrer Datei kommt: Jede verlässt sich auf die andere, und keine rechnet.",
+                       "The function is right only while " + others +
+                           " is not yours: each relies on the other, and none of them computes."};
+        }
+}
+}  // namespace testat

@@ -1,0 +1,94 @@
+#include "checks/circular.h"
+#include "checks/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace testat {
+namespace {
+constexpr auto clamp = Function::wrap_clamp;
+constexpr auto repeat = Function::wrap_repeat;
+constexpr auto nearest = Function::evaluate_nearest;
+constexpr auto bilinear = Function::evaluate_bilinear;
+
+FunctionSet set_of(std::vector<Function> const& functions)
+{
+    FunctionSet set;
+    for (Function f : functions)
+        set = set.with(f);
+    return set;
+}
+
+/// Asks one check of each, and has those crash that the rule names.
+FunctionSet find(std::vector<Function> const& functions, bool (*crashes)(Function, FunctionSet from_upload))
+{
+    Questions questions;
+    for (auto const& check : unit_checks())
+        if (std::find(functions.begin(), functions.end(), check.function) != functions.end()) {
+            Group group;
+            group.name = check.name;
+            group.under_test = check.function;
+            questions.request.groups.push_back(group);
+        }
+    return find_circular(set_of(functions), questions, [&](Request const& request) {
+        Observations observations;
+        for (auto const& group : request.groups) {
+            Answers answers{group, {}, {}};
+            answers.status.ended = Ended::signal;
+            if (crashes(group.under_test, group.from_upload))
+                observations.groups.emplace(group.name, answers);
+        }
+        return observations;
+    });
+}
+}  // namespace
+
+TEST(Circular, AreTwoThatAskEachOther)
+{
+    auto const both = [](Function f, FunctionSet from) {
+        return (f == clamp || f == repeat) && from.has(clamp) && from.has(repeat);
+    };
+    EXPECT_EQ(find({clamp, repeat, nearest}, both), set_of({clamp, repeat}));
+    EXPECT_EQ(find({clamp, nearest}, both), FunctionSet());
+}
+
+TEST(Circular, AreThreeInARing)
+{
+    auto const ring = [](Function f, FunctionSet from) {
+        return f != bilinear && from.has(clamp) && from.has(repeat) && from.has(nearest);
+    };
+    EXPECT_EQ(find({clamp, repeat, nearest, bilinear}, ring), set_of({clamp, repeat, nearest}));
+}
+
+TEST(Circular, IsNotWhatOnlyCallsOneOfThem)
+{
+    auto const caller = [](Function f, FunctionSet from) {
+        bool const ring = from.has(clamp) && from.has(repeat);
+        return ring && (f == clamp || f == repeat || f == nearest);
+    };
+    EXPECT_EQ(find({clamp, repeat, nearest}, caller), set_of({clamp, repeat}));
+}
+
+TEST(Circular, IsNotWhatCallsAMistakeThatNoCheckShows)
+{
+    auto const callers = [](Function f, FunctionSet from) {
+        return (f == nearest || f == bilinear) && from.has(clamp);
+    };
+    EXPECT_EQ(find({clamp, nearest, bilinear}, callers), FunctionSet());
+}
+
+TEST(Circular, EarnNothing)
+{
+    CheckResults results;
+    for (Function f : {clamp, repeat, nearest}) {
+        results.checks.emplace_back();
+        results.checks.back().function = f;
+        results.checks.back().passed = true;
+    }
+    take_credit(results, set_of({clamp, repeat}));
+    EXPECT_FALSE(results.all_pass(clamp) || results.all_pass(repeat));
+    EXPECT_TRUE(results.all_pass(nearest));
+    EXPECT_NE(results.checks[0].trouble->en.find("wrap_repeat"), std::string::npos);
+}
+}  // namespace testat
