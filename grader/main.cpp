@@ -11,6 +11,7 @@
 #include "stress/command.h"
 #include "text.h"
 #include "theory/theory.h"
+#include "watch/watch.h"
 
 #include <CLI/CLI.hpp>
 
@@ -340,6 +341,47 @@ private:
     }
 };
 
+struct WatchCommand {
+    WatchOptions options;
+    std::string tasks;
+    std::string profile = "student";
+    std::string compiler = "g++";
+    std::string language;
+    bool no_sandbox = false;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command =
+            app.add_subcommand("watch", "Grade a file on each save and say what has changed; Ctrl-C ends it");
+        command->add_option("FILE", options.file, "The file to watch")->required();
+        command->add_option("--out", options.out, "Directory of report.json (default: testat-out/<stem>)");
+        command->add_option("--tasks", tasks, "Only these tasks, such as a,c");
+        command->add_option("--lang", language, "Language of the text")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--profile", profile, "Tutors see hidden checks and expected values, too")
+            ->check(CLI::IsMember({"tutor", "student"}))
+            ->capture_default_str();
+        command->add_option("--compiler", compiler, "Which compiler builds the file")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        command->add_flag("--no-sandbox", no_sandbox,
+                          "Run the file without a cage, with your rights: only for a file of your own");
+    }
+
+    int run()
+    {
+        options.program = std::filesystem::canonical("/proc/self/exe");
+        options.language = ::language(language);
+        if (options.out.empty())
+            options.out = std::filesystem::path("testat-out") / options.file.stem();
+        options.grade_options = {"--profile", profile, "--compiler", compiler};
+        if (!tasks.empty())
+            options.grade_options.insert(options.grade_options.end(), {"--tasks", tasks});
+        if (no_sandbox)
+            options.grade_options.emplace_back("--no-sandbox");
+        watch(options, installation(), std::cout);
+    }
+};
+
 struct Commands {
     BatchCommand batch;
     DiffCommand diff;
@@ -348,6 +390,7 @@ struct Commands {
     RenderCommand render;
     StressCommand stress;
     TheoryCommand theory;
+    WatchCommand watch;
 };
 
 int run_command(CLI::App const& app, Commands& commands)
@@ -366,6 +409,8 @@ int run_command(CLI::App const& app, Commands& commands)
         return commands.render.run();
     if (app.got_subcommand("theory"))
         return commands.theory.run();
+    if (app.got_subcommand("watch"))
+        return commands.watch.run();
     return doctor(installation(), std::cout) ? done : not_gradable;
 }
 
@@ -397,6 +442,7 @@ int main(int argc, char** argv)
     commands.render.add_to(app);
     commands.stress.add_to(app);
     commands.theory.add_to(app);
+    commands.watch.add_to(app);
     app.add_subcommand("doctor", "Say whether this machine can grade, and what is missing");
 
     catch_interrupts();
