@@ -10,6 +10,8 @@
 #include "report/text.h"
 #include "stress/command.h"
 #include "text.h"
+#include "theory/theory.h"
+#include "watch/watch.h"
 
 #include <CLI/CLI.hpp>
 
@@ -284,6 +286,102 @@ struct DiffCommand {
     }
 };
 
+struct TheoryCommand {
+    std::string file;
+    std::string wanted_template;
+    std::filesystem::path out;
+    bool overwrite = false;
+    std::string format = "text";
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("theory", "Check answers to the sheet's theory questions; no points");
+        command->add_option("ANSWERS", file, "JSON file of answers; --template writes one to fill in");
+        command->add_option("--template", wanted_template, "Write a file to fill in, with explanations")
+            ->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--out", out, "Where the template goes (default: here)");
+        command->add_flag("--overwrite", overwrite, "Replace the file of --out if there is one");
+        command->add_option("--format", format, "text for people; json: the same for machines, in both languages")
+            ->check(CLI::IsMember({"text", "json"}))
+            ->capture_default_str();
+        command->add_option("--lang", language, "Language of the text")->check(CLI::IsMember({"de", "en"}));
+        command->callback([this] { prepare(); });
+    }
+
+    void prepare() const
+    {
+        if (file.empty() == wanted_template.empty())
+            throw CLI::ValidationError("theory", "takes either a file of answers or --template de|en");
+        if (wanted_template.empty() && (!out.empty() || overwrite))
+            throw CLI::ValidationError("--out", "is where a template goes; it needs --template de|en");
+    }
+
+    int run() const
+    {
+        if (!wanted_template.empty())
+            return write_template();
+        Report const judged = theory::judge(theory::read_answers(file));
+        std::string const name = one_line(std::filesystem::path(file).filename().string(), 60);
+        std::cout << (format == "json" ? to_text(judged) : theory::to_text(judged, name, ::language(language)));
+        return done;
+    }
+
+private:
+    int write_template() const
+    {
+        std::string const text = theory::answers_template(::language(wanted_template), installation());
+        if (out.empty())
+            std::cout << text;
+        else if (std::filesystem::exists(out) && !overwrite)
+            throw std::invalid_argument(out.string() + ": is there already; --overwrite replaces it");
+        else
+            write_atomically(out, text);
+        return done;
+    }
+};
+
+struct WatchCommand {
+    WatchOptions options;
+    std::string tasks;
+    std::string profile = "student";
+    std::string compiler = "g++";
+    std::string language;
+    bool no_sandbox = false;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command =
+            app.add_subcommand("watch", "Grade a file on each save and say what has changed; Ctrl-C ends it");
+        command->add_option("FILE", options.file, "The file to watch")->required();
+        command->add_option("--out", options.out, "Directory of report.json (default: testat-out/<stem>)");
+        command->add_option("--tasks", tasks, "Only these tasks, such as a,c");
+        command->add_option("--lang", language, "Language of the text")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--profile", profile, "Tutors see hidden checks and expected values, too")
+            ->check(CLI::IsMember({"tutor", "student"}))
+            ->capture_default_str();
+        command->add_option("--compiler", compiler, "Which compiler builds the file")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        command->add_flag("--no-sandbox", no_sandbox,
+                          "Run the file without a cage, with your rights: only for a file of your own");
+    }
+
+    int run()
+    {
+        options.program = std::filesystem::canonical("/proc/self/exe");
+        options.language = ::language(language);
+        if (options.out.empty())
+            options.out = std::filesystem::path("testat-out") / options.file.stem();
+        options.grade_options = {"--profile", profile, "--compiler", compiler};
+        if (!tasks.empty())
+            options.grade_options.insert(options.grade_options.end(), {"--tasks", tasks});
+        if (no_sandbox)
+            options.grade_options.emplace_back("--no-sandbox");
+        watch(options, installation(), std::cout);
+    }
+};
+
 struct Commands {
     BatchCommand batch;
     DiffCommand diff;
@@ -291,6 +389,8 @@ struct Commands {
     GradePartCommand grade_part;
     RenderCommand render;
     StressCommand stress;
+    TheoryCommand theory;
+    WatchCommand watch;
 };
 
 int run_command(CLI::App const& app, Commands& commands)
@@ -307,6 +407,10 @@ int run_command(CLI::App const& app, Commands& commands)
         return commands.grade_part.run();
     if (app.got_subcommand("render"))
         return commands.render.run();
+    if (app.got_subcommand("theory"))
+        return commands.theory.run();
+    if (app.got_subcommand("watch"))
+        return commands.watch.run();
     return doctor(installation(), std::cout) ? done : not_gradable;
 }
 
@@ -337,6 +441,8 @@ int main(int argc, char** argv)
     commands.grade_part.add_to(app);
     commands.render.add_to(app);
     commands.stress.add_to(app);
+    commands.theory.add_to(app);
+    commands.watch.add_to(app);
     app.add_subcommand("doctor", "Say whether this machine can grade, and what is missing");
 
     catch_interrupts();

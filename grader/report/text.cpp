@@ -1,15 +1,14 @@
 #include "report/text.h"
 
 #include "report/printer.h"
+#include "report/wrap.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace testat {
 namespace {
-constexpr std::size_t columns = 80;
 constexpr std::size_t label_columns = 12;
 
 constexpr Term of{"von", "of"};
@@ -70,29 +69,6 @@ std::string join(Report const& names)
     return all;
 }
 
-/// Terminal columns of UTF-8 text, for letters that are one column wide.
-std::size_t width(std::string const& utf8)
-{
-    return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
-/// Words on as many lines as it takes, each but the first indented.
-std::string wrap(std::string const& words, std::size_t indent)
-{
-    std::istringstream in(words);
-    std::string result;
-    std::size_t column = indent;
-    for (std::string word; in >> word; column += width(word)) {
-        bool const first = column == indent;
-        bool const fits = column + 1 + width(word) <= columns;
-        if (!first)
-            result += fits ? " " : "\n" + std::string(indent, ' ');
-        column = first ? column : fits ? column + 1 : indent;
-        result += word;
-    }
-    return result;
-}
-
 class ReportPrinter : Printer {
 public:
     ReportPrinter(Report const& report, Language language) : Printer(language), report_(report) {}
@@ -114,14 +90,14 @@ public:
 private:
     void labelled(Term label, std::string const& words)
     {
-        std::string const padding(label_columns - 2 - width(say(label)), ' ');
-        line("  {}{}{}", say(label), padding, wrap(words, label_columns));
+        std::string const padding(label_columns - 2 - columns_of(say(label)), ' ');
+        line("  {}{}{}", say(label), padding, wrap_words(words, label_columns));
     }
 
     void sandbox()
     {
         if (!report_.value("sandbox", true))
-            line("  {}", wrap(say(no_sandbox), 2));
+            line("  {}", wrap_words(say(no_sandbox), 2));
     }
 
     void headline()
@@ -131,9 +107,9 @@ private:
              points.at("earned").get<double>(), say(of), points.at("max").get<double>(), say(points_term),
              say(points.at("passed_60_percent").get<bool>() ? pass : fail));
         for (auto const& policy : report_.at("policy").at("applied"))
-            line("  {}", wrap(fmt::format("{}: {}; {}", say(rule), say(policy == "crashes" ? crashes : not_compiled),
-                                          alternative()),
-                              4));
+            line("  {}", wrap_words(fmt::format("{}: {}; {}", say(rule),
+                                                say(policy == "crashes" ? crashes : not_compiled), alternative()),
+                                    4));
         if (is_public_only())
             line("  {}", say(public_only));
     }
@@ -175,32 +151,32 @@ private:
         line("\n{}", say(does_not_build));
         auto const& all = build.at("diagnostics");
         for (std::size_t i = 0; i < std::min(shown_diagnostics, all.size()); ++i)
-            line("  {}", wrap(diagnostic(all[i]), 4));
+            line("  {}", wrap_words(diagnostic(all[i]), 4));
         if (report_.at("policy").at("earned_without") == 0)
             line("{}", say(nothing_alone));
     }
 
     void broken_list()
     {
-        line("\n{}", wrap(say(broken_functions), 0));
+        line("\n{}", wrap_words(say(broken_functions), 0));
         Report const& unofficial = report_.at("unofficial");
         for (auto const& error : unofficial.value("left_out", Report::array()))
             broken_place("", error);
         for (auto const& [name, error] : unofficial.at("broken").items())
             broken_place(name, error);
-        line("\n{}", wrap(say(unofficial_table), 0));
+        line("\n{}", wrap_words(say(unofficial_table), 0));
     }
 
     void broken_place(std::string place, Report const& error)
     {
         if (int const number = error.at("line").get<int>(); number > 0)
             place += fmt::format("{}{} {}", place.empty() ? "" : ", ", say(line_term), number);
-        line("  {}", wrap(fmt::format("{}{}{}", place, place.empty() ? "" : ": ", text(error.at("message"))), 4));
+        line("  {}", wrap_words(fmt::format("{}{}{}", place, place.empty() ? "" : ": ", text(error.at("message"))), 4));
     }
 
     void points_line(std::string const& left, double earned, Report const& max)
     {
-        std::string const padding(std::max<std::size_t>(columns - 14, width(left)) - width(left), ' ');
+        std::string const padding(std::max<std::size_t>(columns - 14, columns_of(left)) - columns_of(left), ' ');
         line("{}{}{:>5.2f} / {:>5.2f}", left, padding, earned, max.get<double>());
     }
 
@@ -288,7 +264,7 @@ private:
             if (!any)
                 line("\n{}", say(pictures_term));
             any = true;
-            line("  {:<26}{}", text(picture.at("name")), wrap(finding(picture), 28));
+            line("  {:<26}{}", text(picture.at("name")), wrap_words(finding(picture), 28));
         }
     }
 
@@ -299,7 +275,7 @@ private:
         line("\n{}", say(remarks_term));
         for (auto const& remark : report_.at("remarks")) {
             std::string const names = join(remark.at("functions"));
-            line("  {}", wrap(names + (names.empty() ? "" : ": ") + phrase(remark), 4));
+            line("  {}", wrap_words(names + (names.empty() ? "" : ": ") + phrase(remark), 4));
         }
     }
 
