@@ -70,11 +70,11 @@ public:
                             {"y", fmt::format("{:.2f}", 40 - height)},
                             {"w", fmt::format("{:.2f}", 0.8 * width)},
                             {"h", fmt::format("{:.2f}", height)},
+                            {"left", fmt::format("{:.2f}", width * double(i))},
                             {"middle", fmt::format("{:.2f}", width * (double(i) + 0.5))},
                             {"above", fmt::format("{:.2f}", 38.8 - height)},
                             {"below", step_ * double(i + 1) <= 0.6 * max_ + 1e-9},
                             {"from", fmt::format("{:g}", step_ * double(i))},
-                            {"to", fmt::format("{:g}", std::min(max_, step_ * double(i + 1)))},
                             {"count", counts_[i] > 0 ? Report(std::to_string(counts_[i])) : Report(nullptr)}});
         }
         return bars;
@@ -144,7 +144,8 @@ private:
         Histogram histogram(graded_.front()->report.at("points").at("max"), step);
         for (auto const* entry : graded_)
             histogram.add(earned(*entry));
-        return {{"bars", histogram.view()}};
+        double const max = graded_.front()->report.at("points").at("max");
+        return {{"bars", histogram.view()}, {"most", fmt::format("{:g}", max)}};
     }
 
     Report by_task() const
@@ -165,6 +166,7 @@ private:
                            {"title", tasks.at(i).at("title")},
                            {"mean", number(sum / double(graded_.size()))},
                            {"max", number(max)},
+                           {"most", fmt::format("{:g}", max)},
                            {"bars", histogram.view()}});
         }
         return all;

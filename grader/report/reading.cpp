@@ -103,18 +103,23 @@ bool Reading::is_unwritten(Report const& picture) const
     });
 }
 
+std::string Reading::finding_alone(Report const& picture, Language language) const
+{
+    if (picture.at("score") == 1 || is_unwritten(picture))
+        return "";
+    if (picture.at("isolated_file").is_null())
+        return say(not_made, language);
+    auto const outside = picture.at("outside").get<std::size_t>();
+    return fmt::format(fmt::runtime(say(isolated, language)), outside, outside == 1 ? "" : "s");
+}
+
 std::string Reading::finding(Report const& picture, Language language) const
 {
-    std::string result;
-    if (picture.contains("explained_by"))
-        result = fmt::format("{} {}", say(differs, language), join(picture.at("explained_by")));
-    if (picture.at("score") == 1 || is_unwritten(picture))
-        return result;
-    auto const outside = picture.at("outside").get<std::size_t>();
-    std::string const alone = picture.at("isolated_file").is_null() ? say(not_made, language)
-                                                                    : fmt::format(fmt::runtime(say(isolated, language)),
-                                                                                  outside, outside == 1 ? "" : "s");
-    return result + (result.empty() ? "" : "; ") + alone;
+    std::string const alone = finding_alone(picture, language);
+    if (!picture.contains("explained_by"))
+        return alone;
+    return fmt::format("{} {}{}{}", say(differs, language), join(picture.at("explained_by")), alone.empty() ? "" : "; ",
+                       alone);
 }
 
 FirstFix Reading::fix_of_build() const
@@ -130,13 +135,15 @@ FirstFix Reading::fix_of_build() const
     return {"", both(file_is_broken), {message, message}, lost};
 }
 
-/// What has been written goes before what has not, a crash that costs everything before all, then the most points.
+/// A crash that costs everything goes before all; then what has been written before what has not, what a check has
+/// found before what only pictures show, and of these what costs most.
 std::optional<std::string> Reading::function_to_fix() const
 {
     auto const rank = [&](std::string const& name) {
         auto const* const function = graded(name);
         bool const crashed = function != nullptr && function->at("verdict") == "crashed" && applies("crashes");
-        return std::tuple(crashed, !is_missing(name), lost_by(name));
+        bool const has_hint = first_hint(report_.at("functions").at(name)) != nullptr;
+        return std::tuple(crashed, !is_missing(name), has_hint, lost_by(name));
     };
     std::optional<std::string> chosen;
     for (auto const& [name, function] : report_.at("functions").items())

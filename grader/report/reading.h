@@ -4,7 +4,7 @@
 #include <optional>
 
 namespace testat {
-/// What a reader should do first: the one mistake that costs most.
+/// What a reader should do first: the mistake that costs most.
 struct FirstFix {
     std::string function;  ///< bare name; empty where it is the file
     Phrase what;           ///< what is wrong
@@ -32,6 +32,9 @@ public:
 
     /// What is not as it should be with a picture as submitted or in isolation; empty if all is well.
     std::string finding(Report const& picture, Language language) const;
+
+    /// The part of it that does not depend on other functions of the file: how far the picture is off in isolation.
+    std::string finding_alone(Report const& picture, Language language) const;
 
     /// Nothing if there is nothing to fix.
     std::optional<FirstFix> first_fix() const;

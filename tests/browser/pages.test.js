@@ -108,7 +108,7 @@ test("what to fix first is on the first screen, with what is wrong and what to d
       const box = await first.boundingBox();
       assert.ok(box.y + box.height <= height, `ends at ${box.y + box.height} of ${height}`);
       const text = await first.innerText();
-      for (const part of ["Zuerst beheben", "evaluate_bilinear", "−4.00"]) assert.ok(text.includes(part), `${part} in ${text}`);
+      for (const part of ["Zuerst beheben", "evaluate_bilinear", "s = u * W - 0.5"]) assert.ok(text.includes(part), `${part} in ${text}`);
     });
 });
 

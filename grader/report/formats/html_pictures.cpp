@@ -102,17 +102,16 @@ private:
 
     Report wrong(Report const& picture)
     {
-        Report view{
-            {"picture", picture.at("name")},
-            {"found",
-             {{"de", reading_.finding(picture, Language::de)}, {"en", reading_.finding(picture, Language::en)}}},
-            {"limit", picture.at("limit").dump()}};
-        if (picture.contains("explained_by"))
-            view["because"] = names_of(picture.at("explained_by"));
-        else
-            view["alone"] = names_of(picture.at("functions"));
+        Report view{{"picture", picture.at("name")}, {"limit", picture.at("limit").dump()}};
+        bool const is_explained = picture.contains("explained_by");
+        view[is_explained ? "explained" : "concerned"] = {
+            {"by", names_of(picture.at(is_explained ? "explained_by" : "functions"))}};
+        std::string const english = reading_.finding_alone(picture, Language::en);
+        view["apart"] = english.empty()
+                            ? Report(nullptr)
+                            : Report{{"de", reading_.finding_alone(picture, Language::de)}, {"en", english}};
         // As submitted it may be right, when a function's mistake shows only with the solution around it.
-        bool const shows_alone = !picture.contains("explained_by") && !picture.at("isolated_file").is_null();
+        bool const shows_alone = !is_explained && !picture.at("isolated_file").is_null();
         std::string const mine = read_picture(named_, picture.at(shows_alone ? "isolated_file" : "submitted_file"));
         std::string const expected = read_picture(named_, picture.at("expected_file"));
         set(view, "difference", Previews::make(read_picture(named_, picture.at("difference_file"))));

@@ -56,6 +56,13 @@ TEST(FirstFix, GoesForWhatIsWrittenBeforeWhatIsNot)
     EXPECT_EQ(Reading(report).first_fix()->function, "wrap_repeat");
 }
 
+TEST(FirstFix, GoesForWhatACheckFoundBeforeWhatOnlyPicturesShow)
+{
+    Report report = report_of(without({"WrapClamp.Negative"}), whole_build());
+    report["functions"]["wrap_repeat"]["earned"] = 0;
+    EXPECT_EQ(Reading(report).first_fix()->function, "wrap_clamp");
+}
+
 TEST(FirstFix, IsTheCrashThatCostsAll)
 {
     Report report = report_of(without({"WrapClamp.Negative", "WrapRepeat.Inside"}), whole_build());
