@@ -17,11 +17,9 @@ constexpr char const html[] =
     ;
 constexpr char const style[] =
 #include "batch/overview.css.inc"
-#include "report/formats/page.css.inc"
     ;
 constexpr char const script[] =
 #include "batch/overview.js.inc"
-#include "report/formats/page.js.inc"
     ;
 
 std::string number(double value)

@@ -124,15 +124,21 @@ std::string Reading::finding(Report const& picture, Language language) const
 
 FirstFix Reading::fix_of_build() const
 {
-    double const lost = report_.at("points").at("max").get<double>();
-    if (has_unofficial())
-        for (auto const& [name, error] : report_.at("unofficial").at("broken").items()) {
-            std::string const message = error.at("message").get<std::string>();
-            return {name, both(file_is_broken), {message, message}, lost};
-        }
+    FirstFix fix;
+    fix.what = both(file_is_broken);
+    fix.lost = report_.at("points").at("max").get<double>();
+    std::string message;
     auto const& all = report_.at("build").at("diagnostics");
-    std::string const message = all.empty() ? "" : diagnostic_line(all[0]);
-    return {"", both(file_is_broken), {message, message}, lost};
+    auto const& places = has_unofficial() ? report_.at("unofficial").at("broken") : Report::object();
+    if (!places.empty()) {
+        fix.function = places.begin().key();
+        fix.line = places.begin()->at("line").get<int>();
+        message = places.begin()->at("message").get<std::string>();
+    } else if (!all.empty()) {
+        message = diagnostic_line(all[0]);
+    }
+    fix.hint = {message, message};
+    return fix;
 }
 
 /// A crash that costs everything goes before all; then what has been written before what has not, what a check has
@@ -155,14 +161,21 @@ std::optional<std::string> Reading::function_to_fix() const
 FirstFix Reading::fix_of(std::string const& name) const
 {
     Report const& function = report_.at("functions").at(name);
-    double const lost = lost_by(name);
-    if (is_missing(name))
-        return {name, both(unwritten), {}, lost};
+    FirstFix fix;
+    fix.function = name;
+    fix.line = function.at("source").is_null() ? 0 : function.at("source").at("line").get<int>();
+    fix.lost = lost_by(name);
     Report const* const check = first_hint(function);
     Phrase const hint = check == nullptr ? Phrase{} : phrase_of(check->at("hint"));
-    if (function.contains("mistake"))
-        return {name, phrase_of(function.at("mistake")), hint, lost};
-    return check == nullptr ? FirstFix{name, both(pictures_are_wrong), {}, lost} : FirstFix{name, hint, {}, lost};
+    if (is_missing(name)) {
+        fix.what = both(unwritten);
+    } else if (function.contains("mistake")) {
+        fix.what = phrase_of(function.at("mistake"));
+        fix.hint = hint;
+    } else {
+        fix.what = check == nullptr ? both(pictures_are_wrong) : hint;
+    }
+    return fix;
 }
 
 std::optional<FirstFix> Reading::first_fix() const

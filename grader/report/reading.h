@@ -7,6 +7,7 @@ namespace testat {
 /// What a reader should do first: the mistake that costs most.
 struct FirstFix {
     std::string function;  ///< bare name; empty where it is the file
+    int line = 0;          ///< of the function or the error; 0 if nobody knows
     Phrase what;           ///< what is wrong
     Phrase hint;           ///< what to do; may be empty
     double lost = 0;       ///< points of the function; of the file if there is no function

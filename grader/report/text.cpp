@@ -154,9 +154,7 @@ private:
         auto const fix = reading_.first_fix();
         if (!fix || !reading_.builds())
             return;
-        auto const& source = report_.at("functions").at(fix->function).at("source");
-        std::string const place =
-            source.is_null() ? "" : fmt::format(", {} {}", say(line_term), source.at("line").get<int>());
+        std::string const place = fix->line > 0 ? fmt::format(", {} {}", say(line_term), fix->line) : "";
         std::string const what = language_ == Language::de ? fix->what.de : fix->what.en;
         line("  {} {}", paint(yellow, say(fix_first)),
              wrap(fmt::format("{}{} (-{:.2f}): {}", fix->function, place, fix->lost, what), 4,

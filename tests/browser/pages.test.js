@@ -55,19 +55,26 @@ for (const name of all_pages)
     assert.deepEqual(seen.requests, []);
   }));
 
+// What axe finds, as texts.
+const violations_of = async (page, width) => {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => axe.run({ resultTypes: ["violations"] }));
+  return violations.map(v => `${width}: ${v.id}: ${v.nodes.slice(0, 3).map(n => n.html.slice(0, 200)).join(" ")}`);
+};
+
 for (const name of all_pages)
   test(`${name} has no accessibility violations, is never wider than the window`, () => with_page(name, {}, async page => {
+    if (name === "overview.html")  // a few rows are like a thousand
+      await page.evaluate(() => document.querySelectorAll("tbody tr:nth-child(n+30), .who li:nth-child(n+30)").forEach(row => row.remove()));
+    const looked_at_everywhere = ["wrong/report.html", "overview.html"].includes(name);
     for (const [i, width] of widths.entries()) {
       await page.setViewportSize({ width, height: 800 });
       await page.emulateMedia({ colorScheme: i === 1 ? "dark" : "light" });
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(wide <= 0, `${wide} pixels too wide at ${width}`);
-      await page.screenshot({ path: join(folder, "screenshots", `${name.replace("/report", "").replace(".html", "")}-${width}.png`) });
-      if (name === "overview.html")  // a hundred rows are like a thousand
-        await page.evaluate(() => document.querySelectorAll("tbody tr:nth-child(n+100)").forEach(row => row.remove()));
-      await page.evaluate(axe);
-      const { violations } = await page.evaluate(() => axe.run());
-      assert.deepEqual(violations.map(v => `${width}: ${v.id}: ${v.nodes.slice(0, 3).map(n => n.html.slice(0, 200)).join(" ")}`), []);
+      if (!looked_at_everywhere && i !== 1) continue;
+      await page.screenshot({ path: join(folder, "screenshots", `${name.replace(/(\/report)?\.html/, "")}-${width}.png`) });
+      assert.deepEqual(await violations_of(page, width), []);
     }
   }));
 

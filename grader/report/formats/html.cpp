@@ -17,11 +17,9 @@ constexpr char const html[] =
     ;
 constexpr char const style[] =
 #include "report/formats/html.css.inc"
-#include "report/formats/page.css.inc"
     ;
 constexpr char const script[] =
 #include "report/formats/html.js.inc"
-#include "report/formats/page.js.inc"
     ;
 
 std::string words(Report const& value)
@@ -150,15 +148,9 @@ private:
         if (!fix->hint.en.empty())
             view["advice"] = both(fix->hint);
         if (!fix->function.empty())
-            view["where"] = {{"function", fix->function}, {"line", line_of(fix->function)}};
+            view["where"] = {{"function", fix->function},
+                             {"line", fix->line > 0 ? Report(std::to_string(fix->line)) : Report(nullptr)}};
         return view;
-    }
-
-    /// Null if nobody knows.
-    Report line_of(std::string const& name) const
-    {
-        auto const& source = report_.at("functions").at(name).at("source");
-        return source.is_null() ? Report(nullptr) : Report(source.at("line").dump());
     }
 
     Report tasks() const

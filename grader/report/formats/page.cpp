@@ -12,6 +12,13 @@ namespace testat {
 namespace {
 namespace mustache = kainjow::mustache;
 
+constexpr char shared_style[] =
+#include "report/formats/page.css.inc"
+    ;
+constexpr char shared_script[] =
+#include "report/formats/page.js.inc"
+    ;
+
 /// [[Deutsch|English]] becomes an element for each language; style shows one of them.
 std::string in_both_languages(std::string_view html)
 {
@@ -60,8 +67,8 @@ mustache::data to_data(Report const& view)
 }
 }  // namespace
 
-Page::Page(std::string_view html, std::string style, std::string script)
-    : html_(in_both_languages(html)), style_(std::move(style)), script_(std::move(script))
+Page::Page(std::string_view html, std::string const& style, std::string const& script)
+    : html_(in_both_languages(html)), style_(shared_style + style), script_(shared_script + script)
 {
     policy_ = fmt::format(
         "default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; form-action 'none'",

@@ -11,8 +11,8 @@ namespace testat {
 class Page {
 public:
     /// `html` is a Mustache template in which [[Deutsch|English]] stands for words in both languages. {{{style}}},
-    /// {{{script}}} and {{{policy}}} are what belongs there.
-    Page(std::string_view html, std::string style, std::string script);
+    /// {{{script}}} and {{{policy}}} are what belongs there. Style and script follow those that all pages share.
+    Page(std::string_view html, std::string const& style, std::string const& script);
 
     /// Texts of `view` are escaped, but for {{{...}}}; what is null or false is not there. Throws std::logic_error if
     /// the template is none.

@@ -78,6 +78,7 @@ TEST(FirstFix, IsTheFirstErrorOfWhatDoesNotCompile)
     ASSERT_TRUE(fix);
     EXPECT_EQ(fix->function, "wrap_clamp");
     EXPECT_EQ(fix->hint.en, "'x' was not declared");
+    EXPECT_EQ(fix->line, 3);
     EXPECT_EQ(fix->lost, 2);
 }
 }  // namespace testat
