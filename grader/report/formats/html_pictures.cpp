@@ -19,8 +19,10 @@ std::string read_picture(NamedReport const& named, Report const& file)
 {
     if (!file.is_string())
         return "";
-    std::filesystem::path const name = std::filesystem::path(file.get<std::string>()).filename();
-    std::ifstream in(named.folder / "pictures" / name, std::ios::binary);
+    auto const path = named.folder / "pictures" / std::filesystem::path(file.get<std::string>()).filename();
+    if (!std::filesystem::is_regular_file(path))
+        return "";
+    std::ifstream in(path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(in), {}};
     return is_png(bytes) ? bytes : "";
 }

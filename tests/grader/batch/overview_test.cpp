@@ -51,7 +51,7 @@ TEST(Overview, MarksWhoIsLateSimilarOverriddenOrNotGradable)
     GradedUpload const failed = entry_of("failed", make_not_gradable({}, {"1", "", 1}, "no disk"));
     std::string const page =
         page_of({late, changed, failed, entry_of("alike", example_report())}, {{"alike", "of_last_year", 90, ""}});
-    for (char const* state : {"\"late failed\"", "\"failed overridden\"", "\"ungradable\"", "\"similar failed\""})
+    for (char const* state : {"\"late passed\"", "\"passed overridden\"", "\"ungradable\"", "\"similar passed\""})
         EXPECT_TRUE(contains(page, std::string("data-state=") + state)) << state;
     EXPECT_TRUE(contains(page, "no disk"));
 }

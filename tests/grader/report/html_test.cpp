@@ -132,10 +132,9 @@ TEST(Html, TakesAnErrorOfOursAsText)
 TEST(Html, SaysOfEveryFailedCheckWhatWasTriedWhatCameOutAndWhatToDo)
 {
     std::string const page = page_of(wrong_report());
-    for (std::string const name : {"WrapClamp.Inside", "WrapClamp.Negative", "WrapRepeat.Inside"})
-        for (std::string const text :
-             {"input of " + name, "answer to " + name, "right for " + name, "hint for " + name, "Hinweis zu " + name})
-            EXPECT_TRUE(contains(page, text)) << text;
+    for (char const* name : {"WrapClamp.Inside", "WrapClamp.Negative", "WrapRepeat.Inside"})
+        for (char const* text : {"input of ", "answer to ", "right for ", "hint for ", "Hinweis zu "})
+            EXPECT_TRUE(contains(page, std::string(text) + name)) << text << name;
 }
 
 TEST(Html, LeavesOutWhatStudentsAreNotTold)
