@@ -14,11 +14,14 @@ here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 say() { printf 'setup: %s\n' "$*" >&2; }
 usage() { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; }
 
-# Names in the sections asked for, one a line.
+# Names in the sections asked for, one a line; but for what another package has brought already, if that will do.
 list() {
     awk -v only_grading="$grading" '
         /^\[/ { wanted = !only_grading || $1 == "[grading]"; next }
-        wanted && $1 != "" && $1 !~ /^#/ { print $1 }' "$here/packages.txt"
+        wanted && $1 != "" && $1 !~ /^#/ { print $1, ($2 ~ /^unless=/ ? substr($2, 8) : "") }' "$here/packages.txt" |
+        while read -r name program; do
+            [[ -n $program ]] && command -v "$program" >/dev/null || printf '%s\n' "$name"
+        done
 }
 
 # Names asked for and not installed. Where there is no dpkg we cannot know, so nothing is missing: the build will tell.

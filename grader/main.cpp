@@ -101,7 +101,7 @@ struct GradeCommand {
     {
         Report const report = grade(options, installation());
         write_formats(report);
-        std::cout << report_to_text(report, ::language(language)) << "\n"
+        std::cout << report_to_text(report, ::language(language), ink_of_stdout()) << "\n"
                   << one_line((options.out / "report.json").string()) << "\n";
         return report.at("status") == "graded" ? done : not_gradable;
     }
@@ -112,7 +112,7 @@ private:
         for (auto const& format : ::testat::formats())
             if (std::find(formats.begin(), formats.end(), format.name) != formats.end())
                 write_atomically(options.out / format.file,
-                                 format.write({{options.out.filename(), report}}, ::language(language)));
+                                 format.write({{options.out.filename(), report, options.out}}, ::language(language)));
     }
 };
 
@@ -135,13 +135,13 @@ struct RenderCommand {
     {
         std::vector<NamedReport> all;
         for (auto const& file : reports)
-            all.push_back({std::filesystem::absolute(file).parent_path().filename(), read(file)});
+            all.push_back(read(file));
         for (auto const& other : formats())
             if (other.name == format)
                 return print(other, all);
         for (auto const& named : all)
             std::cout << (format == "json" ? to_text(named.report)
-                                           : report_to_text(named.report, ::language(language)));
+                                           : report_to_text(named.report, ::language(language), ink_of_stdout()));
         return done;
     }
 
@@ -155,10 +155,12 @@ private:
     }
 
     /// A file that is no report is wrong usage.
-    static Report read(std::string const& file)
+    static NamedReport read(std::string const& file)
     {
+        auto const folder = std::filesystem::absolute(file).parent_path();
         try {
-            return read_report(file, installation().rubric.parent_path() / "report.schema.json");
+            return {folder.filename(), read_report(file, installation().rubric.parent_path() / "report.schema.json"),
+                    folder};
         } catch (BadJson const& e) {
             throw std::invalid_argument(e.what());
         }

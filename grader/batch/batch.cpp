@@ -2,8 +2,8 @@
 
 #include "batch/ilias.h"
 #include "batch/overrides.h"
+#include "batch/overview.h"
 #include "batch/regrade.h"
-#include "batch/similarity.h"
 #include "batch/store.h"
 #include "batch/times.h"
 #include "installation.h"
@@ -15,6 +15,7 @@
 #include "text.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <iostream>
@@ -164,7 +165,8 @@ void link_or_copy(fs::path const& from, fs::path const& to)
 bool is_ours(fs::path const& entry)
 {
     std::string const name = entry.filename().string();
-    return name == "report.json" || name == "report.txt" || name == "results.json" || name == "pictures";
+    return name == "report.json" || name == "report.html" || name == "report.txt" || name == "results.json" ||
+           name == "pictures";
 }
 
 void write_report(GradedUpload const& entry, fs::path const& results, fs::path const& folder, Language language)
@@ -177,6 +179,7 @@ void write_report(GradedUpload const& entry, fs::path const& results, fs::path c
             link_or_copy(picture.path(), part / "pictures" / picture.path().filename());
     write_file(part / "report.json", to_text(entry.report));
     write_file(part / "report.txt", report_to_text(entry.report, language));
+    write_file(part / "report.html", to_html({{entry.upload.student, entry.report, part}}, language));
     write_file(part / "results.json", to_gradescope({{entry.upload.student, entry.report}}, language));
     if (fs::is_directory(folder))
         for (auto const& other : fs::directory_iterator(folder))
@@ -204,11 +207,12 @@ void write_outputs(std::vector<GradedUpload> const& entries, std::string const& 
 {
     fs::path const reports = options.out / "reports";
     fs::create_directories(reports);
-    std::vector<NamedReport> named;
-    for (auto const& entry : entries) {
+    tbb::parallel_for_each(entries, [&](GradedUpload const& entry) {
         write_report(entry, options.out / store_name / "results", reports / entry.upload.student, options.language);
+    });
+    std::vector<NamedReport> named;
+    for (auto const& entry : entries)
         named.push_back({entry.upload.student, entry.report});
-    }
     remove_others(entries, reports);
     write_atomically(options.out / "grades.csv", grades_table(entries));
     write_atomically(options.out / "junit.xml", to_junit(named, options.language));
@@ -225,7 +229,7 @@ void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const
         fs::rename(part, options.out / name);
     };
     write("feedback.zip", [&](fs::path const& file) {
-        write_feedback_zip(entries, title, options.assignment, options.language, file);
+        write_feedback_zip(entries, options.out / "reports", title, options.assignment, file);
     });
     auto const is_team = [](GradedUpload const& entry) { return !entry.upload.team.empty(); };
     bool const teams = std::any_of(entries.begin(), entries.end(), is_team);
@@ -241,17 +245,21 @@ void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const
 }
 
 /// One upload that sim_c++ cannot read, or for ever, costs the list and nothing else.
-void write_similarity(Intake const& intake, fs::path const& scratch, BatchOptions const& options)
+std::vector<SimilarPair> write_similarity(Intake const& intake, fs::path const& scratch, BatchOptions const& options)
 {
+    if (!options.similarity && options.earlier.empty())
+        return {};
     std::vector<Upload> earlier;
     for (std::size_t i = 0; i < options.earlier.size(); ++i) {
         auto const before =
             take_in(options.earlier[i], scratch / ("earlier-" + std::to_string(i)), std::nullopt).uploads;
         earlier.insert(earlier.end(), before.begin(), before.end());
     }
+    std::vector<SimilarPair> pairs;
     std::string text;
     try {
-        text = similarity_to_text(find_similar(intake.uploads, earlier), options.language);
+        pairs = find_similar(intake.uploads, earlier);
+        text = similarity_to_text(pairs, options.language);
     } catch (Interrupted const&) {
         throw;
     } catch (std::runtime_error const& e) {
@@ -259,6 +267,7 @@ void write_similarity(Intake const& intake, fs::path const& scratch, BatchOption
         std::cerr << "testat: " << text;
     }
     write_atomically(options.out / "similarity.txt", text);
+    return pairs;
 }
 }  // namespace
 
@@ -288,8 +297,8 @@ bool batch(BatchOptions const& options)
     write_outputs(entries, overview, options);
     if (intake.is_ilias)
         write_for_ilias(entries, intake.title, options);
-    if (options.similarity || !options.earlier.empty())
-        write_similarity(intake, scratch.path(), options);
+    auto const similar = write_similarity(intake, scratch.path(), options);
+    write_atomically(options.out / "overview.html", overview_page(entries, similar, intake.title, options.language));
     applied.remember(entries);
     std::cout << overview << "\n" << one_line((options.out / "grades.csv").string()) << "\n";
     return all_graded;

@@ -4,6 +4,8 @@
 #include <archive_entry.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -52,19 +54,32 @@ std::vector<std::string> folders_of(Upload const& upload)
 {
     return upload.members.empty() ? std::vector<std::string>{upload.folder} : upload.members;
 }
+
+std::string page_of(GradedUpload const& entry, std::filesystem::path const& reports)
+{
+    auto const file = reports / entry.upload.student / "report.html";
+    std::ifstream in(file, std::ios::binary);
+    std::string page{std::istreambuf_iterator<char>(in), {}};
+    if (page.empty())
+        throw std::runtime_error("the feedback's zip: cannot read " + file.string());
+    return page;
+}
 }  // namespace
 
-void write_feedback_zip(std::vector<GradedUpload> const& entries, std::string const& title,
-                        std::string const& assignment, Language language, std::filesystem::path const& file)
+void write_feedback_zip(std::vector<GradedUpload> const& entries, std::filesystem::path const& reports,
+                        std::string const& title, std::string const& assignment, std::filesystem::path const& file)
 {
     std::string top = "multi_feedback_" + title + "_" + assignment;
     std::replace(top.begin(), top.end(), ' ', '_');
     std::replace(top.begin(), top.end(), '/', '_');
     Zip zip(file);
-    for (auto const& entry : entries)
+    for (auto const& entry : entries) {
+        if (!entry.is_graded())
+            continue;
+        std::string const page = page_of(entry, reports);
         for (auto const& folder : folders_of(entry.upload))
-            if (entry.is_graded())
-                zip.add(top + "/" + folder + "/testat.txt", report_to_text(entry.report, language));
+            zip.add(top + "/" + folder + "/testat.html", page);
+    }
     zip.close();
 }
 }  // namespace testat

@@ -36,18 +36,44 @@ std::vector<std::uint8_t> to_bytes(Picture const& picture, bool gamma_2_2)
 
 using Encoder = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
 
-Encoder make_encoder(Picture const& picture)
+Encoder make_encoder(std::uint32_t width, std::uint32_t height)
 {
     Encoder png(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
     spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1);
     spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, 1);
     spng_ihdr header = {};
-    header.width = std::uint32_t(picture.width);
-    header.height = std::uint32_t(picture.height);
+    header.width = width;
+    header.height = height;
     header.color_type = SPNG_COLOR_TYPE_TRUECOLOR;
     header.bit_depth = 8;
     spng_set_ihdr(png.get(), &header);
     return png;
+}
+
+std::string encode(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> const& rgb)
+{
+    Encoder const png = make_encoder(width, height);
+    int error = spng_encode_image(png.get(), rgb.data(), rgb.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+    std::size_t size = 0;
+    std::unique_ptr<void, void (*)(void*)> buffer(error == 0 ? spng_get_png_buffer(png.get(), &size, &error) : nullptr,
+                                                  std::free);
+    if (error != 0)
+        throw std::runtime_error(std::string("encoding a PNG: ") + spng_strerror(error));
+    return {static_cast<char const*>(buffer.get()), size};
+}
+
+/// The mean of a rectangle's pixels, channel by channel.
+void average(Bitmap const& from, std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom,
+             std::uint8_t* rgba)
+{
+    std::array<std::uint64_t, 4> sums{};
+    for (std::uint32_t y = top; y < bottom; ++y)
+        for (std::size_t i = 4 * (std::size_t(y) * from.width + left); i < 4 * (std::size_t(y) * from.width + right);
+             ++i)
+            sums[i % 4] += from.rgba[i];
+    std::uint64_t const count = std::uint64_t(right - left) * (bottom - top);
+    for (std::size_t c = 0; c < 4; ++c)
+        rgba[c] = static_cast<std::uint8_t>((sums[c] + count / 2) / count);
 }
 }  // namespace
 
@@ -61,15 +87,38 @@ std::uint8_t to_8_bits(float value, bool gamma_2_2)
 
 std::string encode_png(Picture const& picture, bool gamma_2_2)
 {
-    auto const bytes = to_bytes(picture, gamma_2_2);
-    Encoder const png = make_encoder(picture);
-    int error = spng_encode_image(png.get(), bytes.data(), bytes.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-    std::size_t size = 0;
-    std::unique_ptr<void, void (*)(void*)> buffer(error == 0 ? spng_get_png_buffer(png.get(), &size, &error) : nullptr,
-                                                  std::free);
-    if (error != 0)
-        throw std::runtime_error(std::string("encoding a PNG: ") + spng_strerror(error));
-    return {static_cast<char const*>(buffer.get()), size};
+    return encode(std::uint32_t(picture.width), std::uint32_t(picture.height), to_bytes(picture, gamma_2_2));
+}
+
+std::string encode_png(Bitmap const& bitmap)
+{
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(bitmap.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < bitmap.rgba.size(); ++i)
+        if (i % 4 != 3)
+            rgb.push_back(bitmap.rgba[i]);
+    return encode(bitmap.width, bitmap.height, rgb);
+}
+
+Bitmap shrink(Bitmap const& from, std::uint32_t longest_side)
+{
+    std::uint32_t const longest = std::max(from.width, from.height);
+    if (longest <= longest_side)
+        return from;
+    auto const scaled = [&](std::uint32_t side) {
+        return std::max<std::uint32_t>(1, std::uint32_t(std::uint64_t(side) * longest_side / longest));
+    };
+    Bitmap to{scaled(from.width), scaled(from.height), {}};
+    to.rgba.resize(4 * std::size_t(to.width) * to.height);
+    auto const edge = [](std::uint32_t i, std::uint32_t big, std::uint32_t small) {
+        return std::uint32_t(std::uint64_t(i) * big / small);
+    };
+    for (std::uint32_t y = 0; y < to.height; ++y)
+        for (std::uint32_t x = 0; x < to.width; ++x)
+            average(from, edge(x, from.width, to.width), edge(y, from.height, to.height),
+                    edge(x + 1, from.width, to.width), edge(y + 1, from.height, to.height),
+                    &to.rgba[4 * (std::size_t(y) * to.width + x)]);
+    return to;
 }
 
 bool is_png(std::string const& bytes)

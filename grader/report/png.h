@@ -15,6 +15,12 @@ struct Bitmap {
     std::vector<std::uint8_t> rgba;
 };
 
+/// An 8-bit RGB PNG of it; what it hides does not matter.
+std::string encode_png(Bitmap const& bitmap);
+
+/// The same, smaller, so that no side is longer than that; each pixel is the mean of those it stands for.
+Bitmap shrink(Bitmap const& bitmap, std::uint32_t longest_side);
+
 /// Whether bytes begin as a PNG does.
 bool is_png(std::string const& bytes);
 

@@ -18,6 +18,16 @@ constexpr char const* say(Term term, Language language)
     return language == Language::de ? term.de : term.en;
 }
 
+/// "exercise_03.cpp:12: error: ..."
+inline std::string diagnostic_line(Report const& d)
+{
+    std::string place = d.at("file").get<std::string>();
+    if (int const number = d.at("line").get<int>(); number > 0)
+        place += fmt::format(":{}", number);
+    return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", d.at("severity").get<std::string>(),
+                       d.at("message").get<std::string>());
+}
+
 /// What texts for people are printed with, line by line.
 class Printer {
 public:
@@ -32,16 +42,6 @@ protected:
     void line(fmt::format_string<Arguments...> format, Arguments&&... arguments)
     {
         out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
-    }
-
-    /// "exercise_03.cpp:12: error: ..."
-    static std::string diagnostic(Report const& d)
-    {
-        std::string place = text(d.at("file"));
-        if (int const number = d.at("line").get<int>(); number > 0)
-            place += fmt::format(":{}", number);
-        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", text(d.at("severity")),
-                           text(d.at("message")));
     }
 
     static constexpr std::size_t shown_diagnostics = 3;

@@ -1,11 +1,14 @@
 #include "report/text.h"
 
-#include "report/printer.h"
+#include "report/reading.h"
 #include "report/wrap.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 
 namespace testat {
 namespace {
@@ -29,16 +32,12 @@ constexpr Term cause{"Ursache", "cause"};
 constexpr Term pictures_term{"Bilder", "Pictures"};
 constexpr Term no_sandbox{"Ohne Käfig ausgeführt (--no-sandbox)", "Run without a cage (--no-sandbox)"};
 constexpr Term remarks_term{"Anmerkungen (ändern keine Punkte)", "Remarks (they change no points)"};
-constexpr Term differs{"weicht ab wegen", "differs because of"};
-constexpr Term isolated{"{} Pixel falsch, auch wenn alles andere stimmt", "{} pixel{} wrong even if all else is right"};
-constexpr Term not_made{"konnte nicht erzeugt werden", "could not be made"};
 constexpr Term not_gradable{"NICHT BEWERTBAR (kein Fehler der Abgabe)", "NOT GRADABLE (not the upload's fault)"};
 constexpr Term broken_functions{
     "Die Datei lässt sich nicht übersetzen oder binden. Der erste Fehler jeder betroffenen Stelle:",
     "The file does not compile or link. The first error of each place that is to blame:"};
+constexpr Term fix_first{"Zuerst beheben:", "Fix first:"};
 constexpr Term line_term{"Zeile", "line"};
-constexpr Term broken{"kompiliert nicht", "does not compile"};
-constexpr Term not_judged{"nicht bewertet", "not judged"};
 constexpr Term unofficially{"inoffiziell für das, was kompiliert", "unofficially, for what compiles"};
 constexpr Term unofficial_table{
     "Inoffiziell: was die Funktionen, die kompilieren, einbringen würden. Das zählt erst, wenn die ganze Datei "
@@ -49,29 +48,19 @@ constexpr Term nothing_alone{"Auch einzeln ließ sich keine Funktion bewerten.",
 constexpr Term public_only{"Nur die öffentlichen Prüfungen sind gezählt; die Tutoren prüfen mehr.",
                            "Only the public checks are counted; the tutors check more."};
 
-Term verdict_term(std::string const& verdict)
-{
-    constexpr std::pair<char const*, Term> terms[] = {
-        {"correct", {"richtig", "correct"}}, {"partial", {"teilweise", "partial"}},
-        {"wrong", {"falsch", "wrong"}},      {"missing", {"fehlt", "missing"}},
-        {"crashed", {"Absturz", "crashed"}}, {"timed_out", {"Zeitlimit", "timed out"}},
-    };
-    auto const found =
-        std::find_if(std::begin(terms), std::end(terms), [&](auto const& term) { return verdict == term.first; });
-    return found == std::end(terms) ? Term{"?", "?"} : found->second;
-}
-
-std::string join(Report const& names)
-{
-    std::string all;
-    for (auto const& name : names)
-        all += (all.empty() ? "" : ", ") + name.get<std::string>();
-    return all;
-}
+/// What a terminal is told before words; afterwards it is told to forget.
+constexpr char bold[] = "\x1b[1m";
+constexpr char green[] = "\x1b[32m";
+constexpr char red[] = "\x1b[31m";
+constexpr char yellow[] = "\x1b[33m";
+constexpr char forget[] = "\x1b[0m";
 
 class ReportPrinter : Printer {
 public:
-    ReportPrinter(Report const& report, Language language) : Printer(language), report_(report) {}
+    ReportPrinter(Report const& report, Language language, Ink ink)
+        : Printer(language), report_(report), reading_(report), language_(language), ink_(ink)
+    {
+    }
 
     std::string print()
     {
@@ -79,6 +68,7 @@ public:
             return fmt::format("{}\n  {}\n", say(not_gradable), text(report_.at("error")));
         headline();
         sandbox();
+        first_fix();
         diagnostics();
         table();
         first_mistakes();
@@ -88,6 +78,11 @@ public:
     }
 
 private:
+    std::string paint(char const* colour, std::string const& words) const
+    {
+        return ink_ == Ink::plain ? words : colour + words + forget;
+    }
+
     void labelled(Term label, std::string const& words)
     {
         std::string const padding(label_columns - 2 - columns_of(say(label)), ' ');
@@ -103,21 +98,37 @@ private:
     void headline()
     {
         auto const& points = report_.at("points");
-        line("{}: {:.2f} {} {:.2f} {} ({})", text(report_.at("submission").at("file")),
-             points.at("earned").get<double>(), say(of), points.at("max").get<double>(), say(points_term),
-             say(points.at("passed_60_percent").get<bool>() ? pass : fail));
+        bool const passed = points.at("passed_60_percent").get<bool>();
+        line("{} ({})",
+             paint(bold, fmt::format("{}: {:.2f} {} {:.2f} {}", text(report_.at("submission").at("file")),
+                                     points.at("earned").get<double>(), say(of), points.at("max").get<double>(),
+                                     say(points_term))),
+             paint(passed ? green : red, say(passed ? pass : fail)));
         for (auto const& policy : report_.at("policy").at("applied"))
             line("  {}", wrap_words(fmt::format("{}: {}; {}", say(rule),
                                                 say(policy == "crashes" ? crashes : not_compiled), alternative()),
                                     4));
-        if (is_public_only())
+        if (reading_.is_public_only())
             line("  {}", say(public_only));
+    }
+
+    /// What does not compile is told below, place by place.
+    void first_fix()
+    {
+        auto const fix = reading_.first_fix();
+        if (!fix || !reading_.builds())
+            return;
+        std::string const place = fix->line > 0 ? fmt::format(", {} {}", say(line_term), fix->line) : "";
+        std::string const what = language_ == Language::de ? fix->what.de : fix->what.en;
+        line("  {} {}", paint(yellow, say(fix_first)),
+             wrap_words(fmt::format("{}{} (-{:.2f}): {}", fix->function, place, fix->lost, what), 4,
+                        columns_of(say(fix_first)) + 3));
     }
 
     /// What there would be without the sheet's rule.
     std::string alternative() const
     {
-        if (!has_unofficial())
+        if (!reading_.has_unofficial())
             return fmt::format("{}: {:.2f}", say(without_rule),
                                report_.at("policy").at("earned_without").get<double>());
         auto const& points = report_.at("unofficial");
@@ -125,33 +136,17 @@ private:
                            points.at("max").get<double>());
     }
 
-    bool has_unofficial() const { return report_.contains("unofficial"); }
-
-    bool was_run() const
-    {
-        return has_unofficial() || !report_.at("run_time").empty() || report_.at("build").at("ok").get<bool>();
-    }
-
-    bool is_public_only() const
-    {
-        for (auto const& function : report_.at("functions"))
-            for (auto const& check : function.at("checks"))
-                if (check.at("visibility") == "hidden")
-                    return false;
-        return true;
-    }
-
     void diagnostics()
     {
         auto const& build = report_.at("build");
         if (build.at("ok").get<bool>())
             return;
-        if (has_unofficial())
+        if (reading_.has_unofficial())
             return broken_list();
         line("\n{}", say(does_not_build));
         auto const& all = build.at("diagnostics");
         for (std::size_t i = 0; i < std::min(shown_diagnostics, all.size()); ++i)
-            line("  {}", wrap_words(diagnostic(all[i]), 4));
+            line("  {}", wrap_words(diagnostic_line(all[i]), 4));
         if (report_.at("policy").at("earned_without") == 0)
             line("{}", say(nothing_alone));
     }
@@ -180,48 +175,24 @@ private:
         line("{}{}{:>5.2f} / {:>5.2f}", left, padding, earned, max.get<double>());
     }
 
+    std::string verdict(std::string const& name) const
+    {
+        bool const is_whole = reading_.lost_by(name) <= 0;
+        return paint(is_whole ? green : reading_.earned_by(name) > 0 ? yellow : red, say(reading_.word_for(name)));
+    }
+
     /// Unofficial points where there are any.
     void table()
     {
         for (auto const& task : report_.at("tasks")) {
             out_ += "\n";
             points_line(fmt::format("{} {}) {}", say(task_term), text(task.at("id")), phrase(task.at("title"))),
-                        earned_in(task), task.at("max"));
+                        reading_.earned_in(task), task.at("max"));
             for (auto const& [name, function] : report_.at("functions").items())
                 if (function.at("task") == task.at("id"))
-                    points_line(fmt::format("    {:<40}{}", name, say(word_for(name))), earned_by(name),
+                    points_line(fmt::format("    {:<40}{}", name, verdict(name)), reading_.earned_by(name),
                                 function.at("max"));
         }
-    }
-
-    /// The function as the table shows it; null if it is broken.
-    Report const* graded(std::string const& name) const
-    {
-        auto const& functions = has_unofficial() ? report_.at("unofficial").at("functions") : report_.at("functions");
-        auto const found = functions.find(name);
-        return found == functions.end() ? nullptr : &*found;
-    }
-
-    double earned_by(std::string const& name) const
-    {
-        auto const* const function = graded(name);
-        return function == nullptr ? 0 : function->at("earned").get<double>();
-    }
-
-    double earned_in(Report const& task) const
-    {
-        double sum = 0;
-        for (auto const& [name, function] : report_.at("functions").items())
-            sum += function.at("task") == task.at("id") ? earned_by(name) : 0;
-        return sum;
-    }
-
-    Term word_for(std::string const& name) const
-    {
-        bool const missing = report_.at("functions").at(name).at("verdict") == "missing";
-        if (auto const* const function = graded(name))
-            return was_run() || missing ? verdict_term(text(function->at("verdict"))) : not_judged;
-        return missing ? verdict_term("missing") : broken;
     }
 
     /// Of each function the first check that failed, or that has something to say.
@@ -239,7 +210,7 @@ private:
 
     void first_mistake(std::string const& function, Report const& check)
     {
-        line("\n{}: {}", function, text(check.at("name")));
+        line("\n{}", paint(bold, fmt::format("{}: {}", function, text(check.at("name")))));
         if (auto const& worst = check.at("worst_input"); !worst.is_null()) {
             labelled(input, text(worst.at("input")));
             labelled(measured, text(worst.at("measured")));
@@ -255,16 +226,16 @@ private:
     /// Those that differ as submitted or in isolation.
     void pictures()
     {
-        if (!was_run())
+        if (!reading_.was_run())
             return;
         bool any = false;
         for (auto const& picture : report_.at("pictures")) {
-            if (finding(picture).empty())
+            if (reading_.finding(picture, language_).empty())
                 continue;
             if (!any)
                 line("\n{}", say(pictures_term));
             any = true;
-            line("  {:<26}{}", text(picture.at("name")), wrap_words(finding(picture), 28));
+            line("  {:<26}{}", text(picture.at("name")), wrap_words(reading_.finding(picture, language_), 28));
         }
     }
 
@@ -279,36 +250,24 @@ private:
         }
     }
 
-    /// Whether nobody has written a function yet, that compiles, whose points depend on the picture.
-    bool is_unwritten(Report const& picture) const
-    {
-        auto const& functions = picture.at("functions");
-        return std::all_of(functions.begin(), functions.end(), [&](Report const& name) {
-            auto const* const function = graded(text(name));
-            return function == nullptr || function->at("verdict") == "missing";
-        });
-    }
-
-    std::string finding(Report const& picture) const
-    {
-        std::string result;
-        if (picture.contains("explained_by"))
-            result = fmt::format("{} {}", say(differs), join(picture.at("explained_by")));
-        if (picture.at("score") == 1 || is_unwritten(picture))
-            return result;
-        auto const outside = picture.at("outside").get<std::size_t>();
-        std::string const alone = picture.at("isolated_file").is_null()
-                                      ? say(not_made)
-                                      : fmt::format(fmt::runtime(say(isolated)), outside, outside == 1 ? "" : "s");
-        return result + (result.empty() ? "" : "; ") + alone;
-    }
-
     Report const& report_;
+    Reading reading_;
+    Language language_;
+    Ink ink_;
 };
 }  // namespace
 
-std::string report_to_text(Report const& report, Language language)
+std::string report_to_text(Report const& report, Language language, Ink ink)
 {
-    return ReportPrinter(report, language).print();
+    return ReportPrinter(report, language, ink).print();
+}
+
+Ink ink_of_stdout()
+{
+    char const* const no_colour = std::getenv("NO_COLOR");
+    char const* const terminal = std::getenv("TERM");
+    bool const refused =
+        (no_colour != nullptr && *no_colour != '\0') || terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
+    return isatty(STDOUT_FILENO) == 1 && !refused ? Ink::coloured : Ink::plain;
 }
 }  // namespace testat

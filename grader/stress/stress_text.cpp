@@ -55,7 +55,7 @@ private:
         line("{}", say(does_not_build));
         auto const& all = document_.at("build").at("diagnostics");
         for (std::size_t i = 0; i < std::min(shown_diagnostics, all.size()); ++i)
-            line("  {}", diagnostic(all[i]));
+            line("  {}", diagnostic_line(all[i]));
     }
 
     /// Not finite: a wrong whole number, NaN or infinity.

@@ -74,7 +74,7 @@ private:
         line("{}", say(does_not_build));
         auto const& all = after_.at("build").at("diagnostics");
         if (!all.empty())
-            line("  {}", wrap_words(diagnostic(all[0]), 4));
+            line("  {}", wrap_words(diagnostic_line(all[0]), 4));
     }
 
     void first_mistake()

@@ -37,9 +37,8 @@ std::string wrong_pictures(Report const& report, std::string const& function)
 std::vector<Format> const& formats()
 {
     static std::vector<Format> const all{
-        {"csv", "report.csv", true, to_csv},
-        {"gradescope", "results.json", false, to_gradescope},
-        {"junit", "junit.xml", true, to_junit},
+        {"csv", "report.csv", true, to_csv},       {"gradescope", "results.json", false, to_gradescope},
+        {"html", "report.html", false, to_html},   {"junit", "junit.xml", true, to_junit},
         {"sarif", "report.sarif", true, to_sarif},
     };
     return all;

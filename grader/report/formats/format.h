@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-/// Reports for machines: each format is a pure function of reports to a text.
+/// Reports in other shapes: each format is a pure function of reports, and at most the pictures beside them, to a text.
 namespace testat {
 /// A report, and whose it is: the names that tell several apart.
 struct NamedReport {
     std::string name;  ///< of the folder it lies in
     Report report;
+    std::filesystem::path folder = {};  ///< where report.json lies; its pictures are below
 };
 
 struct Format {
@@ -21,7 +22,7 @@ struct Format {
     std::string (*write)(std::vector<NamedReport> const& reports, Language language);
 };
 
-/// csv, gradescope, junit, sarif.
+/// csv, gradescope, html, junit, sarif.
 std::vector<Format> const& formats();
 
 /// One row for each report: points by function, then whether each check has passed (1, 0, nothing if it was not asked).
@@ -30,6 +31,10 @@ std::string to_csv(std::vector<NamedReport> const& reports, Language language);
 
 /// results.json of a Gradescope autograder; one test for each function. What is not gradable has no score.
 std::string to_gradescope(std::vector<NamedReport> const& reports, Language language);
+
+/// A page for people, in both languages, that needs nothing but itself; what an upload put into the report is text in
+/// it and nothing else. Below 8 MB. `language` is the one it begins with.
+std::string to_html(std::vector<NamedReport> const& reports, Language language);
 
 /// One suite; a test case for each check and each picture. A crash or time-out is an error, a wrong answer a failure.
 std::string to_junit(std::vector<NamedReport> const& reports, Language language);

@@ -35,6 +35,16 @@ std::vector<GradedUpload> example_entries()
     return {anna, bert, team};
 }
 
+/// As a batch has written them.
+std::filesystem::path write_pages(std::vector<GradedUpload> const& entries, std::filesystem::path const& place)
+{
+    for (auto const& entry : entries) {
+        std::filesystem::create_directories(place / "reports" / entry.upload.student);
+        write_file(place / "reports" / entry.upload.student / "report.html", "<!doctype html>");
+    }
+    return place / "reports";
+}
+
 std::string bytes_of(std::filesystem::path const& file)
 {
     std::ifstream in(file, std::ios::binary);
@@ -56,10 +66,10 @@ TEST(FeedbackZip, HasAFileForEveryGradedStudentAndMember)
 {
     TemporaryDirectory const place;
     auto const zip = place.path() / "feedback.zip";
-    write_feedback_zip(example_entries(), "Übung 3", "77", Language::de, zip);
+    write_feedback_zip(example_entries(), write_pages(example_entries(), place.path()), "Übung 3", "77", zip);
     std::string const top = "multi_feedback_Übung_3_77/";
-    EXPECT_EQ(names_in(zip), (std::vector<std::string>{top + "C_C_cc_14/testat.txt", top + "D_D_dd_15/testat.txt",
-                                                       top + "Müller_Anna_am_12/testat.txt"}));
+    EXPECT_EQ(names_in(zip), (std::vector<std::string>{top + "C_C_cc_14/testat.html", top + "D_D_dd_15/testat.html",
+                                                       top + "Müller_Anna_am_12/testat.html"}));
 }
 
 TEST(FeedbackZip, HasFoldersAsIliasNamesThem)
@@ -69,22 +79,27 @@ TEST(FeedbackZip, HasFoldersAsIliasNamesThem)
     GradedUpload entry = example_entries()[0];
     entry.upload.student = "_-Anna_am_12";  // a folder of ours must not look like an option
     entry.upload.folder = "-Anna_am_12";
-    write_feedback_zip({entry}, "x", "0", Language::en, zip);
-    EXPECT_EQ(names_in(zip), std::vector<std::string>{"multi_feedback_x_0/-Anna_am_12/testat.txt"});
+    write_feedback_zip({entry}, write_pages({entry}, place.path()), "x", "0", zip);
+    EXPECT_EQ(names_in(zip), std::vector<std::string>{"multi_feedback_x_0/-Anna_am_12/testat.html"});
 }
 
 TEST(FeedbackZip, IsTheSameTwice)
 {
     TemporaryDirectory const place;
+    auto const reports = write_pages(example_entries(), place.path());
     for (char const* name : {"a.zip", "b.zip"})
-        write_feedback_zip(example_entries(), "x", "0", Language::en, place.path() / name);
+        write_feedback_zip(example_entries(), reports, "x", "0", place.path() / name);
     EXPECT_EQ(bytes_of(place.path() / "a.zip"), bytes_of(place.path() / "b.zip"));
 }
 
 TEST(FeedbackZip, SaysThatItCannotBeWritten)
 {
-    EXPECT_THROW(write_feedback_zip(example_entries(), "x", "0", Language::en, "/no/such/folder/a.zip"),
-                 std::runtime_error);
+    TemporaryDirectory const place;
+    auto const reports = write_pages(example_entries(), place.path());
+    EXPECT_THROW(write_feedback_zip(example_entries(), reports, "x", "0", "/no/such/folder/a.zip"), std::runtime_error);
+    EXPECT_THROW(write_feedback_zip(example_entries(), place.path(), "x", "0", place.path() / "a.zip"),
+                 std::runtime_error)
+        << "no pages";
 }
 
 TEST(StatusSheet, IsTheSameTwiceAndDiffersForTeams)

@@ -62,7 +62,8 @@ TEST_F(Batch, WritesGradesReportsAndASummary)
     EXPECT_TRUE(contains(outcome.out, "3 uploads, 3 graded, 0 with 60 %")) << outcome.out;
     EXPECT_EQ(count(grades(), "\r\n"), 4u);
     EXPECT_EQ(report_of("carl").at("points").at("earned"), 0.0);
-    for (char const* file : {"summary.txt", "junit.xml", "reports/anna/report.txt", "reports/anna/results.json"})
+    for (char const* file : {"summary.txt", "overview.html", "junit.xml", "reports/anna/report.txt",
+                             "reports/anna/report.html", "reports/anna/results.json"})
         EXPECT_TRUE(fs::exists(out / file)) << file;
 }
 

@@ -33,6 +33,16 @@ TEST_F(Rendered, IsTheSameJson)
     EXPECT_EQ(render({"--format", "json"}).out, read_file(report()));
 }
 
+TEST_F(Rendered, IsAPageWithItsPictures)
+{
+    std::string const page = render({"--format", "html", "--lang", "de"}).out;
+    EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
+    EXPECT_NE(page.find("abs(val % size)"), std::string::npos);
+    EXPECT_NE(page.find("picture in-full"), std::string::npos);
+    EXPECT_GT(page.size(), 500'000u);
+    EXPECT_LT(page.size(), 8'000'000u);
+}
+
 TEST_F(Rendered, MayBeSeveral)
 {
     Outcome const one = render({});
@@ -44,6 +54,22 @@ TEST_F(Rendered, IsGermanOnRequest)
 {
     EXPECT_NE(render({"--lang", "de"}).out.find("Punkten"), std::string::npos);
     EXPECT_NE(run_testat({"render", report().string()}, {"LC_ALL=de_DE.UTF-8"}).out.find("Punkten"), std::string::npos);
+}
+
+TEST(Page, ShowsScriptsOfAnUploadAsText)
+{
+    TemporaryDirectory const place;
+    auto const attacks = example_file().parent_path().parent_path() / "attacks";
+    std::string const attack = read_file(attacks / "writes_scripts_into_the_report.cpp");
+    auto const file = place.path() / "a<script>owned(5)<\\script>\".cpp";
+    write_file(file, reference_text() + attack);
+    Outcome const graded =
+        run_testat({"grade", file.string(), "--out", (place.path() / "out").string(), "--format", "html"});
+    ASSERT_EQ(graded.exit_code, 0) << graded.err;
+    std::string const page = read_file(place.path() / "out" / "report.html");
+    EXPECT_EQ(page.find("<script"), page.rfind("<script")) << "ours";
+    EXPECT_NE(page.find("&lt;script&gt;owned(1)"), std::string::npos);
+    EXPECT_NE(page.find("a&lt;script&gt;owned(5)"), std::string::npos);
 }
 
 class Garbage : public testing::TestWithParam<std::string> {};

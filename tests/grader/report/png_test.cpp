@@ -113,6 +113,30 @@ TEST(EncodePng, KeepsEveryPixel)
     }
 }
 
+TEST(Shrink, MakesMeansNoLongerThanAsked)
+{
+    Bitmap bitmap{4, 2, std::vector<std::uint8_t>(32, 100)};
+    for (std::size_t i : {0u, 4u, 16u, 20u})
+        bitmap.rgba[i] = static_cast<std::uint8_t>(10 * i);  // red of the left half: 0, 40, 160, 200
+    Bitmap const small = shrink(bitmap, 2);
+    EXPECT_EQ(small.width, 2u);
+    EXPECT_EQ(small.height, 1u);
+    EXPECT_EQ(small.rgba, (std::vector<std::uint8_t>{100, 100, 100, 100, 100, 100, 100, 100}));
+}
+
+TEST(Shrink, LeavesSmallAndThinOnesWhole)
+{
+    Bitmap const bitmap{3, 1, std::vector<std::uint8_t>(12, 7)};
+    EXPECT_EQ(shrink(bitmap, 3).rgba, bitmap.rgba);
+    EXPECT_EQ(shrink(bitmap, 1).height, 1u);
+}
+
+TEST(EncodePng, KeepsABitmap)
+{
+    Bitmap const bitmap{1, 2, {1, 2, 3, 255, 4, 5, 6, 255}};
+    EXPECT_EQ(testat::decode_png(encode_png(bitmap)).rgba, bitmap.rgba);
+}
+
 TEST(EncodePng, IsTheSameBytesAgain)
 {
     EXPECT_EQ(encode_png(grey_picture(9, 5, 0.3f), true), encode_png(grey_picture(9, 5, 0.3f), true));

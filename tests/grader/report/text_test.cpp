@@ -4,8 +4,10 @@
 #include "installation.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 namespace testat {
@@ -57,6 +59,28 @@ TEST(ReportToText, BeginsWithThePoints)
     EXPECT_EQ(failed_text(Language::en).find("exercise_03.cpp: 1.25 of 2.00 points"), 0u) << failed_text(Language::en);
     EXPECT_EQ(failed_text(Language::de).find("exercise_03.cpp: 1.25 von 2.00 Punkten"), 0u)
         << failed_text(Language::de);
+}
+
+TEST(ReportToText, SaysWhatToFixFirstInOneOfTheFirstLines)
+{
+    std::string const text = failed_text(Language::en);
+    EXPECT_LT(text.find("Fix first: wrap_clamp (-0.75): hint for WrapClamp.Negative"), text.find("Task b"));
+    EXPECT_TRUE(holds(failed_text(Language::de), {"Zuerst beheben: wrap_clamp (-0.75): Hinweis zu"}));
+}
+
+TEST(ReportToText, IsTheSameWithColours)
+{
+    Report const report = report_of(example_rubric(), failed_results(), whole_build());
+    std::string const coloured = report_to_text(report, Language::de, Ink::coloured);
+    std::string const plain = report_to_text(report, Language::de);
+    EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+    EXPECT_NE(coloured.find("\x1b[33mteilweise"), std::string::npos);
+    EXPECT_EQ(std::regex_replace(coloured, std::regex("\x1b\\[[0-9]*m"), ""), plain);
+}
+
+TEST(ReportToText, HasNoColoursWhereNobodyLooks)
+{
+    EXPECT_EQ(isatty(STDOUT_FILENO) == 1 ? Ink::plain : ink_of_stdout(), Ink::plain);
 }
 
 TEST(ReportToText, HasTasksFunctionsAndVerdicts)
