@@ -23,19 +23,24 @@ public:
         __m128 const length = _mm_max_ps(_mm_sqrt_ps(_mm_add_ps(times(_mm_add_ps(xx, yy), 0.5f), spread)), tiny);
         // The determinant is the product of both axes; subtracting would leave nothing of the smaller one.
         __m128 const area = magnitude(_mm_sub_ps(_mm_mul_ps(a.x, b.y), _mm_mul_ps(a.y, b.x)));
-        _mm_store_ps(major, length);
-        _mm_store_ps(minor, _mm_div_ps(area, length));
+        major = length;
+        minor = _mm_div_ps(area, length);
         // (half + spread, xy) and (xy, spread - half) are parallel; the longer one is the better one.
         __m128 const wide = _mm_cmpgt_ps(half, _mm_setzero_ps());
         __m128 const longer = _mm_add_ps(magnitude(half), spread);
         __m128 const norm = _mm_max_ps(_mm_sqrt_ps(_mm_add_ps(_mm_mul_ps(longer, longer), _mm_mul_ps(xy, xy))), tiny);
-        _mm_store_ps(x, _mm_div_ps(chosen(wide, longer, xy), norm));
-        _mm_store_ps(y, _mm_div_ps(chosen(wide, xy, longer), norm));
+        x = _mm_div_ps(chosen(wide, longer, xy), norm);
+        y = _mm_div_ps(chosen(wide, xy, longer), norm);
     }
-    glm::vec2 direction(std::size_t i) const { return {x[i], y[i]}; }
+    __m128 major;  ///< length of the rectangle, in texels of level 0
+    __m128 minor;  ///< its width
+    __m128 x;      ///< along the major axis, unit; zero if there is no footprint
+    __m128 y;
 
-    alignas(16) float major[4];  ///< length of the rectangle, in texels of level 0
-    alignas(16) float minor[4];  ///< its width
+    static __m128 chosen(__m128 mask, __m128 yes, __m128 no)
+    {
+        return _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no));
+    }
 
 private:
     static void scale(Four& v, glm::vec2 size)
@@ -44,13 +49,6 @@ private:
         v.y = times(v.y, size.y);
     }
     static __m128 magnitude(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.f), v); }
-    static __m128 chosen(__m128 mask, __m128 yes, __m128 no)
-    {
-        return _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no));
-    }
-
-    alignas(16) float x[4];  ///< along the major axis, unit; zero if there is no footprint
-    alignas(16) float y[4];
 };
 
 /// A filter that needs the ellipse: `filter.look_up(uv, direction, major, minor)` for each footprint.
@@ -61,9 +59,13 @@ auto by_ellipses(Filter filter)
         for (std::size_t i = 0; i < count; i += 4) {
             FourOf const four(footprints + i, count - i);
             EllipsesOfFour const ellipses(four, filter.size());
+            alignas(16) float major[4], minor[4], x[4], y[4];
+            _mm_store_ps(major, ellipses.major);
+            _mm_store_ps(minor, ellipses.minor);
+            _mm_store_ps(x, ellipses.x);
+            _mm_store_ps(y, ellipses.y);
             for (std::size_t j = 0; j < 4 && i + j < count; ++j)
-                store(filter.look_up(four[j].uv, ellipses.direction(j), ellipses.major[j], ellipses.minor[j]),
-                      colours[i + j]);
+                store(filter.look_up(four[j].uv, {x[j], y[j]}, major[j], minor[j]), colours[i + j]);
         }
     };
 }
