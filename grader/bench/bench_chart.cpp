@@ -95,7 +95,7 @@ public:
         int const rows = static_cast<int>(results_.filters.size());
         int const height = lower_top + std::max(rows * row_height, 250) + 60;
         add(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" lang="{2}" role="img" font-family="DejaVu Sans, Helvetica, Arial, sans-serif" font-size="13" fill="#222">)",
-            width, height, say({"de", "en"}));
+            width, height, say(Term{"de", "en"}));
         add("<title>{}</title>", say(title));
         add(R"(<rect width="{}" height="{}" fill="#fff"/>)", width, height);
         label(20, 30, "start", file.empty() ? say(title) : std::string(say(title)) + ": " + file,
