@@ -125,7 +125,7 @@ private:
         for (int decade = x.first; decade <= x.last; ++decade) {
             double const at = x.at(std::pow(10.0, decade));
             line(at, y.end, at, y.begin, style);
-            power_of_ten(at, y.begin + 20, "middle", decade);
+            power_of_ten(at, y.begin + 26, "middle", decade);
         }
         for (int decade = y.first; decade <= y.last; ++decade) {
             double const at = y.at(std::pow(10.0, decade));
@@ -143,7 +143,7 @@ private:
         Axis const y = errors_.axis(top + panel_height, top);
         label(left + panel_width / 2.0, top - 12, "middle", say(patterns()[number].title), R"( font-weight="bold")");
         grid(x, y, number == 0);
-        label(left + panel_width / 2.0, top + panel_height + 42, "middle", say(time_term));
+        label(left + panel_width / 2.0, top + panel_height + 48, "middle", say(time_term));
         if (number == 0)
             label(left - 8, top - 12, "end", say(error_term));
         front(panels_[number], x, y);
@@ -209,15 +209,25 @@ private:
         }
     }
 
+    /// From the smallest error that is not zero, but not more than six decades, to beyond the bound.
+    Axis float_axis() const
+    {
+        double least = 1;
+        for (auto const& [id, errors] : results_.float_errors)
+            for (double error : errors)
+                least = error > 0 ? std::min(least, error) : least;
+        return {std::max(-6, static_cast<int>(std::floor(std::log10(least))) - 1), 1, lower_top + 230.0, lower_top};
+    }
+
     void float_panel()
     {
         double const left = margin + panel_step + 220;
         double const right = margin + 2 * panel_step + panel_width;
         Axis const x{0, decades - 1, left, right};
-        Axis const y{-2, 1, lower_top + 230.0, lower_top};
+        Axis const y = float_axis();
         label(left, lower_top - 12, "start", say(float_term), R"( font-weight="bold")");
         grid(x, y, true);
-        label((left + right) / 2, y.begin + 42, "middle", say(size_term));
+        label((left + right) / 2, y.begin + 48, "middle", say(size_term));
         line(left, y.at(1), right, y.at(1), R"(stroke="#000" stroke-width="2" stroke-dasharray="6 4")");
         label(right - 6, y.at(1) - 7, "end", std::string("1 (") + say(allowed) + ")");
         for (std::size_t i = 0; i < results_.filters.size(); ++i)

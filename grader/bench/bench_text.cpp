@@ -58,6 +58,14 @@ private:
         return value.is_null() ? "-" : fmt::format("{:.{}f}", value.get<double>(), digits);
     }
 
+    static std::string in_bounds(Report const& worst)
+    {
+        if (worst.is_null())
+            return "∞";
+        double const error = worst.get<double>();
+        return error > 0 && error < 0.01 ? "<0.01" : fmt::format("{:.2f}", error);
+    }
+
     std::string error(char const* pattern, std::string const& id) const
     {
         auto const& filters = document_.at("summary").at(pattern).at("filters");
@@ -109,7 +117,7 @@ private:
                 continue;
             std::string row = fmt::format("{:<31}", phrase(filter.at("title")));
             for (auto const& worst : errors.at(text(filter.at("id"))))
-                row += fmt::format("{:>7}", worst.is_null() ? "∞" : fmt::format("{:.2f}", worst.get<double>()));
+                row += fmt::format("{:>7}", in_bounds(worst));
             line("{}", row);
         }
     }

@@ -12,7 +12,4 @@ namespace testat {
 /// Runs the upload's code: anything may happen, and whatever is in `words` afterwards is not to be trusted.
 double answer(Group const& group, std::vector<TextureData> const& textures, AssetLibrary& assets, std::uint32_t* words,
               std::uint32_t volatile* answered);
-
-/// CPU time of this process.
-double cpu_seconds();
 }  // namespace testat

@@ -107,6 +107,13 @@ void* try_to_load(ChildTask const& task)
     }
 }
 
+double cpu_seconds()
+{
+    timespec now = {};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
 void answer_once(ChildTask const& task)
 {
     task.board.pass_s = answer(task.group, task.textures, task.assets, task.answers, &task.board.answered);
