@@ -7,24 +7,24 @@
 
 namespace testat::bench {
 namespace {
-constexpr Term heading{"Laufzeit und Fehler von Texturfiltern: CPU-Zeit je Zugriff, Fehler gegen Wahrheit",
+constexpr Term heading{"Laufzeit und Fehler von Texturfiltern: CPU-Zeit je Zugriff, Fehler zur Wahrheit",
                        "Run time and error of texture filters: CPU time of a lookup, error against truth"};
 constexpr Term filter_term{"Filter", "filter"};
 constexpr Term checker{"Schach", "checker"};
 constexpr Term smooth{"weich", "smooth"};
 constexpr Term noise{"Rauschen", "noise"};
-constexpr Term front{"* auf der Pareto-Front des Schachbretts: kein Filter ist schneller und genauer",
+constexpr Term front{"* auf der Pareto-Front des Schachbretts: keiner ist schneller und genauer",
                      "* on the checker's Pareto front: no filter is both faster and more accurate"};
 constexpr Term caged{"Im Käfig kostet jeder Aufruf mehr; vergleichbar ist die Referenz im Käfig.",
                      "In the cage every call costs more; compare with the caged reference."};
-constexpr Term speed_up{"Trilinear, SSE, gegen die schlichte Referenz: {:.1f}-mal so schnell, {:.3f}-facher Fehler",
-                        "trilinear, SSE, against the plain reference: {:.1f} times as fast, {:.3f} times its error"};
+constexpr Term speed_up{"Trilinear, SSE, gegen die schlichte Referenz: {:.1f}-mal so schnell,\n{:.3f}-facher Fehler",
+                        "trilinear, SSE, against the plain reference: {:.1f} times as fast,\n{:.3f} times its error"};
 constexpr Term anisotropic{
-    "Anisotrop, 4 Proben, gegen trilinear, SSE, auf dem Schachbrett: {:.2f}-facher RMSE\n"
+    "Anisotrop, 4 Proben, gegen trilinear, SSE, auf dem Schachbrett:\n{:.2f}-facher RMSE "
     "(höchstens {:.2f} in einer Szene) in {:.2f}-facher Zeit",
-    "anisotropic, 4 probes, against trilinear, SSE, on the checker: {:.2f} times its RMSE\n"
+    "anisotropic, 4 probes, against trilinear, SSE, on the checker:\n{:.2f} times its RMSE "
     "(at most {:.2f} in one scene) in {:.2f} times its time"};
-constexpr Term float_heading{"Rundungsfehler in Einheiten der erlaubten Schranke, nach der Größe von |u| und |v|",
+constexpr Term float_heading{"Rundungsfehler in Einheiten der erlaubten Schranke, nach Größe von |u|, |v|",
                              "Float error in units of the allowed bound, by the size of |u| and |v|"};
 
 class BenchPrinter : Printer {

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
+#include <sstream>
 
 namespace testat::bench {
 namespace {
@@ -85,16 +87,21 @@ TEST(BenchSvg, IsWellFormedAndSelfContained)
     }
 }
 
+/// Of UTF-8.
+std::ptrdiff_t columns(std::string const& line)
+{
+    return std::count_if(line.begin(), line.end(),
+                         [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
+}
+
 TEST(BenchText, KeepsTo80ColumnsInBothLanguages)
 {
     Report const json = bench_to_json(example(), nullptr, nullptr);
     for (Language language : {Language::de, Language::en}) {
         std::string const text = bench_to_text(json, language);
-        std::size_t columns = 0;
-        for (char c : text) {
-            columns = c == '\n' ? 0 : columns + ((static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0);
-            EXPECT_LE(columns, 80u) << text;
-        }
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(columns(line), 80) << line;
         EXPECT_NE(text.find("trilinear"), std::string::npos);
     }
 }

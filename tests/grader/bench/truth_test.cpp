@@ -9,7 +9,7 @@
 
 namespace testat::bench {
 namespace {
-constexpr Pattern grey = {"grey", {"grau", "grey"}, [](int, int, int) { return glm::dvec3(0.25, 0.5, 0.75); }};
+Pattern const grey = {"grey", {"grau", "grey"}, [](int, int, int) { return glm::dvec3(0.25, 0.5, 0.75); }};
 
 Sheet sheet_of(Pattern const& pattern, int side)
 {
