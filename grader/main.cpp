@@ -1,6 +1,7 @@
 // The command line of testat: what to do and with which exit code to end (DESIGN.md, Commands).
 #include "batch/batch.h"
 #include "batch/slurm.h"
+#include "bench/command.h"
 #include "diff/diff.h"
 #include "doctor.h"
 #include "grade.h"
@@ -208,6 +209,41 @@ struct StressCommand {
     }
 };
 
+struct BenchCommand {
+    bench::BenchFile options;
+    std::string language;
+
+    void add_to(CLI::App& app)
+    {
+        auto* command = app.add_subcommand("bench", "Measure run time and error of texture filters");
+        command->add_option("FILE", options.file, "Also those of this file");
+        command->add_option("--out", options.out,
+                            "Directory of bench.json (default: testat-out/<stem>-bench, or testat-out/bench)");
+        command->add_option("--lang", language, "Language of table and chart")->check(CLI::IsMember({"de", "en"}));
+        command->add_option("--compiler", options.compiler, "Which compiler builds the file")
+            ->check(CLI::IsMember({"g++", "clang++"}))
+            ->capture_default_str();
+        add_no_sandbox(*command, options.confinement);
+        command->add_flag("--quick", options.bench.quick, "Smaller pictures, fewer rounds: to see that it works");
+        command->callback([this] { prepare(); });
+    }
+
+    void prepare()
+    {
+        if (options.out.empty())
+            options.out = std::filesystem::path("testat-out") /
+                          (options.file.empty() ? "bench" : options.file.stem().string() + "-bench");
+        options.language = ::language(language);
+    }
+
+    int run() const
+    {
+        std::cout << bench::bench_file(options, installation()) << "\n"
+                  << one_line((options.out / "bench.json").string()) << "\n";
+        return done;
+    }
+};
+
 struct BatchCommand {
     BatchOptions options;
     std::string language;
@@ -386,6 +422,7 @@ struct WatchCommand {
 
 struct Commands {
     BatchCommand batch;
+    BenchCommand bench;
     DiffCommand diff;
     GradeCommand grade;
     GradePartCommand grade_part;
@@ -399,6 +436,8 @@ int run_command(CLI::App const& app, Commands& commands)
 {
     if (app.got_subcommand("batch"))
         return commands.batch.run();
+    if (app.got_subcommand("bench"))
+        return commands.bench.run();
     if (app.got_subcommand("diff"))
         return commands.diff.run();
     if (app.got_subcommand("stress"))
@@ -438,6 +477,7 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", installation().version);
     Commands commands;
     commands.batch.add_to(app);
+    commands.bench.add_to(app);
     commands.diff.add_to(app);
     commands.grade.add_to(app);
     commands.grade_part.add_to(app);

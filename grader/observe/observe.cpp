@@ -48,6 +48,8 @@ GroupStatus checked(GroupStatus status, Group const& group)
         status.cpu_s = 0;
     if (!(status.work_s >= 0 && status.work_s <= status.cpu_s))
         status.work_s = status.cpu_s;
+    if (!(status.pass_s >= 0 && status.pass_s <= status.cpu_s))
+        status.pass_s = 0;
     if (!(std::abs(status.kept) < 1e12))
         status.kept = 0;
     return status;

@@ -16,6 +16,7 @@
 #include <cglib/rt/transform.h>
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <optional>
@@ -341,17 +342,38 @@ private:
     std::map<std::uint32_t, std::unique_ptr<ImageTexture>> made_;
     std::map<std::uint32_t, std::unique_ptr<Scene>> scenes_;
 };
-}  // namespace
 
-void answer(Group const& group, std::vector<TextureData> const& textures, AssetLibrary& assets, std::uint32_t* words,
-            std::uint32_t volatile* answered)
+/// CPU time. Not the process's: where that is limited its clock only goes on with the kernel's ticks.
+double thread_seconds()
 {
-    Answerer answerer(group, textures, assets);
+    timespec now = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+void answer_all(Answerer& answerer, Group const& group, std::uint32_t* words, std::uint32_t volatile* answered)
+{
     std::size_t const stride = question_bytes(group.kind);
     for (std::uint32_t i = 0; i < group.count; ++i) {
         Sheet sheet(words + std::size_t(i) * group.words_per_answer, group.words_per_answer);
         answerer.answer(group.questions.data() + i * stride, sheet);
         *answered = i + 1;
     }
+}
+}  // namespace
+
+double answer(Group const& group, std::vector<TextureData> const& textures, AssetLibrary& assets, std::uint32_t* words,
+              std::uint32_t volatile* answered)
+{
+    Answerer answerer(group, textures, assets);
+    answer_all(answerer, group, words, answered);
+    double fastest = 0;
+    for (std::uint32_t pass = 0; pass < group.passes; ++pass) {
+        double const start = thread_seconds();
+        answer_all(answerer, group, words, answered);
+        double const taken = thread_seconds() - start;
+        fastest = pass == 0 ? taken : std::min(fastest, taken);
+    }
+    return fastest;
 }
 }  // namespace testat

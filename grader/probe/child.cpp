@@ -116,7 +116,7 @@ double cpu_seconds()
 
 void answer_once(ChildTask const& task)
 {
-    answer(task.group, task.textures, task.assets, task.answers, &task.board.answered);
+    task.board.pass_s = answer(task.group, task.textures, task.assets, task.answers, &task.board.answered);
 }
 
 /// Caches fill up the first time; what grows the second time grows for ever.

@@ -14,6 +14,7 @@ struct Blackboard {
     std::uint32_t wrote = 0;  ///< 1 if answering has changed static or global variables of the upload
     double work_s = 0;        ///< CPU time of answering
     double kept = 0;          ///< bytes on the heap that asking a second time has left behind
+    double pass_s = 0;        ///< CPU time of the fastest pass
     char text[256] = {};      ///< what() of an exception; empty if it has none
 };
 

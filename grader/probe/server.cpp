@@ -144,6 +144,7 @@ GroupStatus describe(Death const& death, Blackboard const& board, double limit_s
     status.cpu_s = death.cpu_s;
     status.work_s = board.work_s;
     status.kept = board.kept;
+    status.pass_s = board.pass_s;
     std::copy(std::begin(board.text), std::end(board.text), status.text);
     return status;
 }

@@ -105,6 +105,7 @@ void write(Writer& out, Group const& group)
     out.value(std::uint32_t(group.culling));
     out.value(group.fill);
     out.value(std::uint32_t(group.twice));
+    out.value(group.passes);
     out.list(group.questions);
 }
 
@@ -121,8 +122,9 @@ Group read_group(Reader& in)
     group.culling = in.value<std::uint32_t>() != 0;
     group.fill = in.value<std::uint32_t>();
     group.twice = in.value<std::uint32_t>() != 0;
+    group.passes = in.value<std::uint32_t>();
     group.questions = in.list<std::byte>();
-    if (group.kind >= Kind::count || group.fill > 255 ||
+    if (group.kind >= Kind::count || group.fill > 255 || group.passes > most_passes ||
         group.questions.size() != std::size_t(group.count) * question_bytes(group.kind))
         throw std::runtime_error("request: group " + group.name + " is malformed");
     return group;

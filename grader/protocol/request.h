@@ -35,10 +35,15 @@ struct Group {
     /// gives other answers with another fill reads memory before it is written.
     std::uint32_t fill = 0;
     bool twice = false;                ///< all questions are asked once more: see GroupStatus::kept
+    /// So many times, up to `most_passes`, all questions are asked once more to see how long they take: see
+    /// GroupStatus::pass_s.
+    std::uint32_t passes = 0;
     std::vector<std::byte> questions;  ///< count * question_bytes(kind)
 
     std::size_t answer_size() const { return std::size_t(count) * words_per_answer; }  ///< in words
 };
+
+constexpr std::uint32_t most_passes = 100;
 
 /// CPU seconds; wall limits of groups are derived from them.
 struct Limits {
@@ -71,6 +76,8 @@ struct GroupStatus {
     double work_s = 0;           ///< of answering only, as the child says it
     /// Of a group that is asked twice: bytes on the heap that the second time has left behind, as the child says it.
     double kept = 0;
+    /// CPU time of the fastest of a group's passes, as the child says it; 0 if nobody knows.
+    double pass_s = 0;
     char text[256] = {};    ///< what() of an exception, or the loader's complaint
     char output[256] = {};  ///< the beginning of what was printed
 };

@@ -1,8 +1,6 @@
 #include "report/printer.h"
 #include "stress/stress_report.h"
-#include "text.h"
-
-#include <fmt/format.h>
+#include "svg.h"
 
 #include <algorithm>
 #include <array>
@@ -78,15 +76,7 @@ Histogram count(std::vector<float> const& errors)
     return histogram;
 }
 
-std::string escaped(std::string const& text)
-{
-    std::string safe;
-    for (char c : text)
-        safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-    return safe;
-}
-
-class Plot {
+class Plot : Svg {
 public:
     explicit Plot(Language language) : language_(language) {}
 
@@ -112,22 +102,6 @@ public:
 private:
     char const* say(Term term) const { return testat::say(term, language_); }
 
-    template <typename... Arguments>
-    void add(fmt::format_string<Arguments...> format, Arguments&&... arguments)
-    {
-        out_ += fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
-    }
-
-    void label(double x, double y, char const* anchor, std::string const& text, char const* more = "")
-    {
-        add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}"{}>{}</text>)", x, y, anchor, more, escaped(text));
-    }
-
-    void line(double x0, double y0, double x1, double y1, char const* style)
-    {
-        add(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" {}/>)", x0, y0, x1, y1, style);
-    }
-
     void axis()
     {
         constexpr char grid[] = R"(stroke="#ddd")";
@@ -135,8 +109,7 @@ private:
         for (int decade = first_decade; decade <= last_decade; ++decade) {
             double const x = x_of_logarithm(decade);
             line(x, top, x, bottom_, grid);
-            add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">10<tspan dy="-5" font-size="10">{}</tspan></text>)",
-                x, text_y, fmt::format("{}{}", decade < 0 ? "−" : "", std::abs(decade)));
+            power_of_ten(x, text_y, "middle", decade);
         }
         label(left + 4, text_y, "start", say(exact));
         label(x_of(HUGE_VAL), text_y, "middle", "∞");
@@ -208,7 +181,6 @@ private:
 
     Language language_;
     int bottom_ = 0;
-    std::string out_;
 };
 }  // namespace
 

@@ -120,6 +120,18 @@ TEST(DecodeAnswers, TakesNoMoreWorkThanTime)
     }
 }
 
+TEST(DecodeAnswers, KnowsNoPassThatTookMoreThanAll)
+{
+    for (double wrong : {nan, -1.0, 0.75, std::numeric_limits<double>::infinity()}) {
+        GroupStatus status = whole();
+        status.pass_s = wrong;
+        EXPECT_EQ(decoded(status).pass_s, 0) << wrong;
+    }
+    GroupStatus status = whole();
+    status.pass_s = 0.125;
+    EXPECT_EQ(decoded(status).pass_s, 0.125);
+}
+
 TEST(DecodeAnswers, TakesImpossibleGrowthForNone)
 {
     for (double wrong : {nan, 1e15, -std::numeric_limits<double>::infinity()}) {

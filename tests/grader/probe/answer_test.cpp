@@ -1,6 +1,7 @@
 #include "probe/answer.h"
 
 #include "checks/textures.h"
+#include "installation.h"
 #include "reference_answers.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,22 @@ TEST(Rendering, IsRefusedIfMalformed)
     EXPECT_THROW(rendered({noise, nearest, clamp, 0}), std::runtime_error);
     EXPECT_THROW(rendered({noise, nearest, clamp, max_threads + 1}), std::runtime_error);
     EXPECT_THROW(rendered({1000, nearest, clamp, 1}), std::out_of_range);
+}
+
+TEST(Passes, GiveTheSameAnswersAndTheirTime)
+{
+    LookupQuestion const question{noise, 0, {0.3f, 0.6f}, {0.1f, 0.1f}};
+    Group group = make_group(Kind::lookup, std::vector<LookupQuestion>(1000, question));
+    group.under_test = Function::evaluate_trilinear;
+    auto const once = reference_answers(group, make_test_textures(1)).words;
+    AssetLibrary assets(installation().assets.string());
+    std::vector<std::uint32_t> words(group.answer_size(), unanswered);
+    std::uint32_t answered = 0;
+    EXPECT_EQ(answer(group, make_test_textures(1), assets, words.data(), &answered), 0);
+    group.passes = 3;
+    EXPECT_GT(answer(group, make_test_textures(1), assets, words.data(), &answered), 0);
+    EXPECT_EQ(words, once);
+    EXPECT_EQ(answered, 1000u);
 }
 
 TEST(Mipmaps, AreMadeAnewForEachQuestion)

@@ -23,6 +23,7 @@ Request example()
     group.culling = false;
     group.fill = 255;
     group.twice = true;
+    group.passes = 9;
     request.groups = {group, make_group(Kind::lookup, std::vector<LookupQuestion>{})};
     return request;
 }
@@ -38,6 +39,7 @@ void expect_equal(Group const& a, Group const& b)
     EXPECT_EQ(a.culling, b.culling);
     EXPECT_EQ(a.fill, b.fill);
     EXPECT_EQ(a.twice, b.twice);
+    EXPECT_EQ(a.passes, b.passes);
     EXPECT_EQ(a.questions, b.questions);
 }
 
@@ -106,6 +108,13 @@ TEST(Request, IsRefusedWithAFillThatIsNoByte)
 {
     Request request = example();
     request.groups[0].fill = 256;
+    EXPECT_THROW(parse_request(serialize(request)), std::runtime_error);
+}
+
+TEST(Request, IsRefusedWithTooManyPasses)
+{
+    Request request = example();
+    request.groups[0].passes = most_passes + 1;
     EXPECT_THROW(parse_request(serialize(request)), std::runtime_error);
 }
 
