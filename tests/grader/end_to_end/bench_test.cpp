@@ -43,19 +43,17 @@ TEST(Bench, FindsTheReferenceAsAccurateInTheCageAsOutside)
     EXPECT_NE(benched.svg.find("</svg>"), std::string::npos);
 }
 
-/// What crashes, hangs or returns NaN has no score, or none that is a number; the rest goes on.
+/// What crashes has no score; the rest goes on.
 TEST(Bench, SurvivesWhatAnUploadDoes)
 {
-    for (char const* body : {"    std::abort();\n", "    for (volatile int i = 0;; i = 1 - i) {}\n"}) {
-        TemporaryDirectory const place;
-        write_file(place.path() / "exercise_03.cpp",
-                   patched_reference("glm::vec4 ImageTexture::evaluate_nearest(int, glm::vec2 const&) const\n{\n" +
-                                     std::string(body) + "    return glm::vec4(0);\n}\n"));
-        Benched const benched = bench({(place.path() / "exercise_03.cpp").string()});
-        EXPECT_EQ(benched.exit_code, 0) << benched.err;
-        EXPECT_FALSE(benched.document.at("summary").at("all").at("filters").contains("upload_nearest"));
-        EXPECT_GT(score(benched, "upload_trilinear").at("ns"), 0);
-    }
+    TemporaryDirectory const place;
+    write_file(place.path() / "exercise_03.cpp",
+               patched_reference("glm::vec4 ImageTexture::evaluate_nearest(int, glm::vec2 const&) const\n"
+                                 "{\n    std::abort();\n}\n"));
+    Benched const benched = bench({(place.path() / "exercise_03.cpp").string()});
+    EXPECT_EQ(benched.exit_code, 0) << benched.err;
+    EXPECT_FALSE(benched.document.at("summary").at("all").at("filters").contains("upload_nearest"));
+    EXPECT_GT(score(benched, "upload_trilinear").at("ns"), 0);
 }
 
 TEST(Bench, SaysWhatDoesNotCompileAndMeasuresOurs)
