@@ -161,6 +161,7 @@ private:
                 histogram.add(points);
             }
             all.push_back({{"id", tasks.at(i).at("id")},
+                           {"number", std::to_string(i)},
                            {"title", tasks.at(i).at("title")},
                            {"mean", number(sum / double(graded_.size()))},
                            {"max", number(max)},
