@@ -8,7 +8,7 @@
 #include <set>
 
 /// The filters of an upload. It runs in the cage, through the probe, which also takes the time; the solution answers
-/// the same questions in the same way, because a call through the probe takes longer than one of ours.
+/// the same questions in the same way, because a call through the probe takes another time than one of ours.
 namespace testat::bench {
 /// What can be asked, by its id.
 struct UploadFilter {
