@@ -81,16 +81,35 @@ private:
             measure_upload_on(number, first);
     }
 
+    /// All pictures of a texture at once, because every group makes its textures anew; they share their mean time.
     void measure_upload_on(std::size_t number, std::size_t first_case)
     {
-        std::vector<Footprints const*> views;
+        Footprints all;
         for (auto const& picture : pictures_)
-            views.push_back(&picture.view.footprints);
+            all.insert(all.end(), picture.view.footprints.begin(), picture.view.footprints.end());
+        TextureData const& texture = sheets_[number].texture;
+        if (number == 0)
+            asked_ = answering_filters(*upload_.build, texture, all, where_, *upload_.cage);
         auto const measured =
-            measure_upload(*upload_.build, sheets_[number].texture, views, results_.rounds, where_, *upload_.cage);
-        for (std::size_t i = 0; i < pictures_.size(); ++i)
-            for (auto const& [id, one] : measured[i])
-                results_.cases[first_case + i].scores[id] = score(one, pictures_[i].truths[number]);
+            measure_upload(*upload_.build, asked_, texture, all, results_.rounds, where_, *upload_.cage);
+        for (auto const& [id, one] : measured)
+            split(id, one, number, first_case);
+        // What has not come to an end once has no score, and is not waited for again.
+        for (auto const& filter : upload_filters())
+            if (measured.count(filter.id) == 0)
+                asked_.erase(filter.id);
+    }
+
+    void split(std::string const& id, Measured const& all, std::size_t number, std::size_t first_case)
+    {
+        auto begin = all.colours.begin();
+        for (std::size_t i = 0; i < pictures_.size(); ++i) {
+            Truth const& truth = pictures_[i].truths[number];
+            auto const end = begin + std::ptrdiff_t(truth.size());
+            double const share = double(truth.size()) / double(all.colours.size());
+            results_.cases[first_case + i].scores[id] = score({all.seconds * share, Colours(begin, end)}, truth);
+            begin = end;
+        }
     }
 
     void find_float_errors()
@@ -108,13 +127,14 @@ private:
             }
         }
         if (upload_.build != nullptr)
-            results_.float_errors.merge(float_errors_of_upload(*upload_.build, where_, *upload_.cage));
+            results_.float_errors.merge(float_errors_of_upload(*upload_.build, asked_, where_, *upload_.cage));
     }
 
     CagedUpload upload_;
     Installation const& where_;
     std::vector<Sheet> sheets_;
     std::vector<Picture> pictures_;
+    FilterIds asked_;  ///< of the upload
     BenchResults results_;
 };
 }  // namespace

@@ -15,8 +15,8 @@ constexpr Term smooth{"weich", "smooth"};
 constexpr Term noise{"Rauschen", "noise"};
 constexpr Term front{"* auf der Pareto-Front des Schachbretts: keiner ist schneller und genauer",
                      "* on the checker's Pareto front: no filter is both faster and more accurate"};
-constexpr Term caged{"Im Käfig kostet jeder Aufruf mehr; vergleichbar ist die Referenz im Käfig.",
-                     "In the cage every call costs more; compare with the caged reference."};
+constexpr Term caged{"Zeiten im Käfig misst die Sonde; vergleichbar ist die Referenz im Käfig.",
+                     "Times in the cage are taken by the probe; compare with the caged reference."};
 constexpr Term speed_up{"Trilinear, SSE, gegen die schlichte Referenz: {:.1f}-mal so schnell,\n{:.3f}-facher Fehler",
                         "trilinear, SSE, against the plain reference: {:.1f} times as fast,\n{:.3f} times its error"};
 constexpr Term anisotropic{

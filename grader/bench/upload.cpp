@@ -3,14 +3,15 @@
 #include "bench/float_error.h"
 #include "observe/observe.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cstring>
 
 namespace testat::bench {
 namespace {
-/// CPU seconds: a lookup that takes a thousand times as long as it should is no use in a picture.
-constexpr Limits limits{5, 1, 60, 10, 600, 600};
+/// CPU seconds. A hundred times as long as the solution is no use in a picture.
+constexpr Limits limits{10, 1, 60, 3, 600, 600};
+constexpr Limits trial_limits{1, 1, 10, 3, 20, 60};
+constexpr std::size_t trial_questions = 64;
 
 /// What takes part in a lookup.
 FunctionSet lookup_functions()
@@ -42,17 +43,18 @@ Group questions_about(Footprints const& footprints)
     return make_group(Kind::lookup, questions);
 }
 
-std::string name_of(UploadFilter const& filter, std::size_t number)
+void put(Request& request, UploadFilter const& filter, Group group, Build const& build)
 {
-    return fmt::format("bench/{}/{}", filter.id, number);
-}
-
-void put(Request& request, UploadFilter const& filter, std::size_t number, Group group, Build const& build)
-{
-    group.name = name_of(filter, number);
+    group.name = filter.id;
     group.under_test = filter.function;
     group.from_upload = filter.is_upload ? taken_from(build) : FunctionSet();
     request.groups.push_back(std::move(group));
+}
+
+bool is_answered(Observations const& observations, UploadFilter const& filter)
+{
+    Answers const* answers = observations.find(filter.id);
+    return answers != nullptr && answers->status.ended == Ended::answered;
 }
 
 Measured measured(Answers const& answers)
@@ -85,46 +87,64 @@ std::vector<UploadFilter> const& upload_filters()
     return all;
 }
 
-std::vector<UploadMeasured> measure_upload(Build const& build, TextureData const& texture,
-                                           std::vector<Footprints const*> const& views, int rounds,
-                                           Installation const& where, Cage& cage)
+FilterIds answering_filters(Build const& build, TextureData const& texture, Footprints const& footprints,
+                            Installation const& where, Cage& cage)
+{
+    Request request;
+    request.limits = trial_limits;
+    request.textures = {texture};
+    Footprints const few(footprints.begin(),
+                         footprints.begin() + std::ptrdiff_t(std::min(trial_questions, footprints.size())));
+    for (auto const& filter : upload_filters())
+        if (can_be_asked(filter, build))
+            put(request, filter, questions_about(few), build);
+    FilterIds answering;
+    if (request.groups.empty())
+        return answering;
+    Observations const observations = observe(build, request, where, cage);
+    for (auto const& filter : upload_filters())
+        if (is_answered(observations, filter))
+            answering.insert(filter.id);
+    return answering;
+}
+
+std::map<std::string, Measured> measure_upload(Build const& build, FilterIds const& asked, TextureData const& texture,
+                                               Footprints const& footprints, int rounds, Installation const& where,
+                                               Cage& cage)
 {
     Request request;
     request.limits = limits;
     request.textures = {texture};
-    for (std::size_t view = 0; view < views.size(); ++view)
-        for (auto const& filter : upload_filters())
-            if (can_be_asked(filter, build)) {
-                put(request, filter, view, questions_about(*views[view]), build);
-                request.groups.back().passes = static_cast<std::uint32_t>(rounds);
-            }
-    std::vector<UploadMeasured> results(views.size());
+    for (auto const& filter : upload_filters())
+        if (asked.count(filter.id) > 0) {
+            put(request, filter, questions_about(footprints), build);
+            request.groups.back().passes = static_cast<std::uint32_t>(rounds);
+        }
+    std::map<std::string, Measured> results;
     if (request.groups.empty())
         return results;
     Observations const observations = observe(build, request, where, cage);
-    for (std::size_t view = 0; view < views.size(); ++view)
-        for (auto const& filter : upload_filters())
-            if (Answers const* answers = observations.find(name_of(filter, view));
-                answers != nullptr && answers->status.ended == Ended::answered)
-                results[view].emplace(filter.id, measured(*answers));
+    for (auto const& filter : upload_filters())
+        if (is_answered(observations, filter))
+            results.emplace(filter.id, measured(observations.groups.at(filter.id)));
     return results;
 }
 
-std::map<std::string, std::vector<double>> float_errors_of_upload(Build const& build, Installation const& where,
-                                                                  Cage& cage)
+std::map<std::string, std::vector<double>> float_errors_of_upload(Build const& build, FilterIds const& asked,
+                                                                  Installation const& where, Cage& cage)
 {
     std::map<std::string, std::vector<double>> errors;
     for (auto const& filter : upload_filters()) {
-        if (!filter.is_upload || filter.function == Function::evaluate_nearest || !can_be_asked(filter, build))
+        if (!filter.is_upload || filter.function == Function::evaluate_nearest || asked.count(filter.id) == 0)
             continue;
         for (int decade = 0; decade < decades; ++decade) {
             FarLookups far = far_lookups(filter.function, decade);
             Request request;
             request.limits = limits;
             request.textures = far.textures;
-            put(request, filter, 0, std::move(far.group), build);
+            put(request, filter, std::move(far.group), build);
             Observations const observations = observe(build, request, where, cage);
-            errors[filter.id].push_back(worst_error(observations.groups.at(name_of(filter, 0)), far.textures));
+            errors[filter.id].push_back(worst_error(observations.groups.at(filter.id), far.textures));
         }
     }
     return errors;

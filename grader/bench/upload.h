@@ -5,9 +5,10 @@
 #include "sandbox/cage.h"
 
 #include <map>
+#include <set>
 
 /// The filters of an upload. It runs in the cage, through the probe, which also takes the time; the solution answers
-/// the same questions in the same way, because a call through the probe takes longer than one of ours.
+/// the same questions in the same way, because a call through the probe takes another time than one of ours.
 namespace testat::bench {
 /// What can be asked, by its id.
 struct UploadFilter {
@@ -18,16 +19,19 @@ struct UploadFilter {
 };
 std::vector<UploadFilter> const& upload_filters();
 
-/// By id; what the upload has not written, or did not finish, is missing. `seconds` comes from the child that runs the
-/// upload, and may be a lie: it is finite and not negative, 0 if it is impossible. Colours may be anything.
-using UploadMeasured = std::map<std::string, Measured>;
+using FilterIds = std::set<std::string>;
 
-/// One for each of `views`. Throws std::runtime_error when something of ours fails.
-std::vector<UploadMeasured> measure_upload(Build const& build, TextureData const& texture,
-                                           std::vector<Footprints const*> const& views, int rounds,
-                                           Installation const& where, Cage& cage);
+/// Those that the upload has written and that come to an end with a few of these footprints; of ours, all.
+FilterIds answering_filters(Build const& build, TextureData const& texture, Footprints const& footprints,
+                            Installation const& where, Cage& cage);
+
+/// By id; what the upload did not finish is missing. `seconds` comes from the child that runs the upload, and may be a
+/// lie: it is finite and not negative, 0 if it is impossible. Colours may be anything.
+std::map<std::string, Measured> measure_upload(Build const& build, FilterIds const& asked, TextureData const& texture,
+                                               Footprints const& footprints, int rounds, Installation const& where,
+                                               Cage& cage);
 
 /// Worst errors by id, one for each decade; infinite where there is no answer.
-std::map<std::string, std::vector<double>> float_errors_of_upload(Build const& build, Installation const& where,
-                                                                  Cage& cage);
+std::map<std::string, std::vector<double>> float_errors_of_upload(Build const& build, FilterIds const& asked,
+                                                                  Installation const& where, Cage& cage);
 }  // namespace testat::bench

@@ -34,7 +34,7 @@ struct Group {
     /// What memory holds that nobody has written to yet, 1 to 255; 0 leaves it as it happens to be. A function that
     /// gives other answers with another fill reads memory before it is written.
     std::uint32_t fill = 0;
-    bool twice = false;                ///< all questions are asked once more: see GroupStatus::kept
+    bool twice = false;  ///< all questions are asked once more: see GroupStatus::kept
     /// So many times, up to `most_passes`, all questions are asked once more to see how long they take: see
     /// GroupStatus::pass_s.
     std::uint32_t passes = 0;
