@@ -272,7 +272,10 @@ void make_pages(fs::path const& folder)
     Report poisoned = maker.report(broken_build(), three);
     poisoned["remarks"] = {{{"id", "leaks"}, {"functions", {"wrap_repeat"}}, {"de", "de"}, {"en", "en"}}};
     poisoned["points"]["override"] = {{"points_before", 3.0}, {"reason", "talked"}, {"who", "T"}, {"when", ""}};
+    Report const tasks = poisoned.at("tasks");
     poison(poisoned, "", number);
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+        poisoned["tasks"][i]["id"] = tasks[i].at("id");  // ours, and part of names in the page
     maker.write_page("hostile", poisoned, three, Language::en);
     write_file(folder / "hostile.html",
                overview_page(hostile_course(poisoned, number), {}, attack(number), Language::en));

@@ -161,7 +161,8 @@ TEST(Transformation, SaysWhatCannotBeRead)
 TEST(Transformation, SaysWhereItCannotBeRead)
 {
     Judgement const entry = judged(R"([[1, 0, 0, 0], [0, 1, 0, "2 3"], [0, 0, 1, 0], [0, 0, 0, 1]])", "null");
-    EXPECT_NE(entry.findings.at(0).text.en.find("Row 2, column 4: At character 3: "), std::string::npos) << entry.findings[0].text.en;
+    EXPECT_NE(entry.findings.at(0).text.en.find("Row 2, column 4: At character 3: "), std::string::npos)
+        << entry.findings[0].text.en;
     Judgement const factor = judged("null", fmt::format("[{}, {{\"translat\": [1, 2, 3]}}]", origin));
     EXPECT_NE(factor.findings.at(0).text.en.find("Factor 2: "), std::string::npos) << factor.findings[0].text.en;
 }
