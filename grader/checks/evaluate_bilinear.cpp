@@ -122,8 +122,7 @@ void add_corners(Random& random, Textures const& textures, TestTexture texture, 
 
 /// Behind the centre of the last texel, where the wrap mode says what the neighbours are. In mode zero one column
 /// further: what falls to zero from texel to texel depends on the half-texel shift, what is zero does not. Each corner
-/// of the texture twice, where the difference is 0 whatever the value is, unless it is not finite. And farther outside,
-/// also above a level of 2 x 1 texels, which is so high as the one before.
+/// of the texture twice, where the difference is 0 whatever the value is, unless it is not finite. And farther outside.
 Group ask_border(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
@@ -136,11 +135,9 @@ Group ask_border(Random& random, Textures const& textures)
         add_pair(random, textures, TestTexture::stripes_clamp, 0, {15, 15}, false, questions);
         add_pair(random, textures, TestTexture::stripes_zero, 0, {17, random.integer(1, 13)}, false, questions);
     }
-    for (int i = 0; i < questions_each / 32; ++i) {
-        add_pair(random, textures, TestTexture::coded_wide_zero, 4, {0, 2}, false, questions);
+    for (int i = 0; i < questions_each / 32; ++i)
         for (TestTexture const texture : {TestTexture::stripes_clamp, TestTexture::stripes_zero})
             add_corners(random, textures, texture, questions);
-    }
     return make_group(Kind::lookup, questions);
 }
 
