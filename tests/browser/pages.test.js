@@ -75,7 +75,7 @@ for (const name of all_pages)
       await page.emulateMedia({ colorScheme: i === 1 ? "dark" : "light" });
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(wide <= 0, `${wide} pixels too wide at ${width}`);
-      if (!looked_at_everywhere && i !== 1) continue;
+      if (!looked_at_everywhere && (i !== 1 || name === "all_wrong/report.html")) continue;  // more of the same
       await page.screenshot({ path: join(folder, "screenshots", `${name.replace(/(\/report)?\.html/, "")}-${width}.png`) });
       assert.deepEqual(await violations_of(page, width), []);
     }

@@ -24,4 +24,4 @@ fi
 rm -rf -- "$folder/pages"
 mkdir -- "$folder/pages"
 "$make_pages" "$folder/pages" >"$folder/pages/times.json"
-TESTAT_BROWSER_FOLDER=$folder exec node --test "$sources"
+TESTAT_BROWSER_FOLDER=$folder exec node --test --test-reporter=spec "$sources"
