@@ -122,7 +122,7 @@ as_another_user() {
     "${become[@]}" build/release/tests/grader/attacks/attack_table "${attacks[@]}"
 }
 
-fuzz() { with_steady_addresses asan ci/fuzz.sh 15; }
+fuzz() { with_steady_addresses asan ci/fuzz.sh 8; }
 
 # The target thread_tests builds the tests labelled `threads`; nothing else has to be built for them.
 thread_sanitizer() {

@@ -52,6 +52,8 @@ public:
     constexpr FunctionSet without(Function f) const { return FunctionSet(bits_ & ~only(f).bits_); }
     constexpr bool is_subset_of(FunctionSet other) const { return (bits_ & ~other.bits_) == 0; }
     constexpr bool meets(FunctionSet other) const { return (bits_ & other.bits_) != 0; }
+    constexpr FunctionSet operator&(FunctionSet other) const { return FunctionSet(bits_ & other.bits_); }
+    constexpr FunctionSet operator|(FunctionSet other) const { return FunctionSet(bits_ | other.bits_); }
     constexpr std::uint32_t bits() const { return bits_; }
     constexpr bool operator==(FunctionSet other) const { return bits_ == other.bits_; }
     constexpr bool operator!=(FunctionSet other) const { return bits_ != other.bits_; }

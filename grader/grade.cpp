@@ -9,11 +9,6 @@
 #include "report/pictures.h"
 #include "score/score.h"
 
-#include <unistd.h>
-
-#include <chrono>
-#include <fstream>
-
 namespace testat {
 namespace {
 Rubric select(Rubric rubric, GradeOptions const& options)
@@ -23,94 +18,82 @@ Rubric select(Rubric rubric, GradeOptions const& options)
     return options.for_tutor ? rubric : only_public(std::move(rubric));
 }
 
-/// Starts no probe where there is nothing to run, or nothing to ask. `ms` adds up what observing takes.
-Observations observe_if_any(Build const& build, Request const& request, Installation const& where, Cage& cage,
-                            double& ms)
+/// Starts no probe where there is nothing to run, or nothing to ask.
+Observations observe_if_any(Build const& build, Request const& request, Installation const& where, Cage& cage)
 {
-    if (build.library.empty() || request.groups.empty())
-        return {};
-    Observations observations = observe(build, request, where, cage);
-    ms += observations.ms;
-    return observations;
-}
-
-using Time = std::chrono::steady_clock::time_point;
-
-double ms_since(Time start)
-{
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return build.library.empty() || request.groups.empty() ? Observations() : observe(build, request, where, cage);
 }
 
 /// The pipeline.
 Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOptions const& options,
-                    Installation const& where)
+                    Installation const& where, Stages& stages)
 {
-    auto const start = std::chrono::steady_clock::now();
     Cage cage(options.confinement);
     TemporaryDirectory const workplace;
+    stages.end("read");
     Build const build =
         compile(submission, {options.compiler, rubric.standard, options.compiler_flags}, workplace.path(), where, cage);
-    double const compiled_ms = ms_since(start);
+    stages.end("compile");
     Questions const questions = make_questions(rubric, build.written(), options.seed, submission.sha256);
-    double observe_ms = 0;
-    auto const answers = [&](Request const& request) {
-        return observe_if_any(build, request, where, cage, observe_ms);
+    auto const answers = [&](char const* stage, Request const& request) {
+        stages.end("check");
+        Observations observations = observe_if_any(build, request, where, cage);
+        stages.end(stage);
+        return observations;
     };
 
-    Observations const units = answers(questions.request);
+    Observations const units = answers("observe: unit checks", questions.request);
     CheckResults results = check(units, questions, rubric);
     Request submitted = ask_submitted(rubric, results, build);
     ask_again(submitted, units, questions.request.textures);
-    Observations const again = answers(submitted);
+    Observations const again = answers("observe: as submitted", submitted);
     judge_submitted(results, rubric, build, again, where);
     Request isolated = ask_isolated(rubric, results, build);
     ask_about_differences(isolated, units, again, questions.request.textures);
-    Observations const differences = answers(isolated);
+    Observations const differences = answers("observe: isolated", isolated);
     judge_isolated(results, differences, where);
+    judge_isolated(results, answers("observe: isolated", ask_isolated(rubric, results, build)), where);
     results.remarks = find_remarks(units, again, differences);
-    Observations const repaired = answers(ask_repaired(results, build.written()));
+    Observations const repaired = answers("observe: explain", ask_repaired(results, build.written()));
     explain(results, build.written(), repaired, where);
     FunctionSet const right_alone = unexplained(results, build.written(), repaired, where);
-    take_credit(results, find_circular(right_alone, questions, answers));
-    double const check_ms = ms_since(start) - compiled_ms - observe_ms;
+    auto const together = [&](Request const& request) { return answers("observe: together", request); };
+    take_credit(results, find_circular(right_alone, questions, together));
     Grade const grade = score(results, build, rubric, options.lenient);
+    stages.end("check");
     write_pictures(results, options.out, where.envelopes);
+    stages.end("write pictures");
 
+    Timing const timing{stages.wall_ms("compile"), stages.wall_ms("observe"), stages.wall_ms("check"),
+                        stages.wall_ms()};
     return make_report(submission, build, results, grade, rubric, {rubric.version, questions.sha256, questions.seed},
-                       {build.ms, observe_ms, check_ms, ms_since(start)}, {options.for_tutor, cage.is_caged()});
+                       timing, {options.for_tutor, cage.is_caged()});
 }
 
-void make_directory(std::filesystem::path const& directory)
+/// Pictures of somebody else's would be lost.
+void check_pictures(std::filesystem::path const& out)
 {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (!std::filesystem::is_directory(directory))
-        throw std::invalid_argument("--out " + directory.string() + ": cannot be made: " + error.message());
-    if (std::filesystem::exists(directory / "pictures") && !std::filesystem::exists(directory / "report.json"))
-        throw std::invalid_argument("--out " + directory.string() +
-                                    ": holds 'pictures' that are not ours; choose another");
-    auto const trial = directory / (".testat-" + std::to_string(getpid()));
-    bool const writable = std::ofstream(trial).is_open();
-    std::filesystem::remove(trial, error);
-    if (!writable)
-        throw std::invalid_argument("--out " + directory.string() + ": cannot be written to");
+    if (std::filesystem::exists(out / "pictures") && !std::filesystem::exists(out / "report.json"))
+        throw std::invalid_argument("--out " + out.string() + ": holds 'pictures' that are not ours; choose another");
 }
 }  // namespace
 
-Report grade(GradeOptions const& options, Installation const& where)
+Report grade(GradeOptions const& options, Installation const& where, Stages& stages)
 {
     Submission const submission = read_submission(options.file);
     Rubric const rubric = select(read_rubric(where.rubric), options);
-    make_directory(options.out);
+    make_output_directory(options.out);
+    check_pictures(options.out);
     Report report;
     try {
-        report = run_pipeline(submission, rubric, options, where);
+        report = run_pipeline(submission, rubric, options, where, stages);
     } catch (Interrupted const&) {
         throw;
     } catch (std::exception const& e) {
         report = make_not_gradable(submission, {rubric.version, "", options.seed}, e.what());
     }
     write_atomically(options.out / "report.json", to_text(report));
+    stages.end("write report");
     return report;
 }
 }  // namespace testat

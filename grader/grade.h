@@ -2,6 +2,7 @@
 #include "compile/compile.h"
 #include "report/report.h"
 #include "rubric/rubric.h"
+#include "stages.h"
 
 #include <set>
 
@@ -19,6 +20,7 @@ struct GradeOptions {
 };
 
 /// Grades a file and writes `out`/report.json with its pictures. The report is whole or, if something of ours fails,
-/// says "not_gradable". Throws UnreadableInput and std::invalid_argument for wrong usage, Interrupted on Ctrl-C.
-Report grade(GradeOptions const& options, Installation const& where);
+/// says "not_gradable"; `stages` tells where the time went. Throws UnreadableInput and std::invalid_argument for wrong
+/// usage, Interrupted on Ctrl-C.
+Report grade(GradeOptions const& options, Installation const& where, Stages& stages);
 }  // namespace testat

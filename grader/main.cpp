@@ -58,6 +58,7 @@ struct GradeCommand {
     std::vector<std::string> formats{"json"};
     std::string language;
     std::string profile = "tutor";
+    bool timing = false;
 
     void add_to(CLI::App& app)
     {
@@ -82,6 +83,7 @@ struct GradeCommand {
             ->delimiter(',')
             ->check(CLI::IsMember(names_of_formats({"json"})));
         command->add_flag("--lenient", options.lenient, "Leave out the sheet's rules for whole files");
+        command->add_flag("--timing", timing, "Also print where the time went");
         add_no_sandbox(*command, options.confinement);
         command->callback([this] { prepare(); });
     }
@@ -100,10 +102,14 @@ struct GradeCommand {
 
     int run() const
     {
-        Report const report = grade(options, installation());
+        Stages stages;
+        Report const report = grade(options, installation(), stages);
         write_formats(report);
+        stages.end("write formats");
         std::cout << report_to_text(report, ::language(language), ink_of_stdout()) << "\n"
                   << one_line((options.out / "report.json").string()) << "\n";
+        if (timing)
+            std::cout << "\n" << stages.table();
         return report.at("status") == "graded" ? done : not_gradable;
     }
 

@@ -53,7 +53,6 @@ struct Build {
     std::map<Function, Diagnostic> broken;  ///< functions that keep the file from compiling, with their first error
     std::vector<Diagnostic> left_out;       ///< first errors of other declarations that keep it from compiling
     bool mended = false;                    ///< does not compile; the library is that of the file without all these
-    double ms = 0;
 
     /// What can be called and is worth asking.
     FunctionSet written() const { return FunctionSet(defined.bits() & ~untouched.bits()); }
@@ -69,7 +68,6 @@ struct Answers {
 /// By name of the group.
 struct Observations {
     std::map<std::string, Answers> groups;
-    double ms = 0;
 
     /// Null if that group was not asked.
     Answers const* find(std::string const& name) const
@@ -123,8 +121,9 @@ struct Rendering {
 /// What a picture says of one function.
 struct IsolatedPicture {
     Function function{};
-    /// The function from the upload, the others from the reference. Nothing where the picture need not be made: as
-    /// submitted it is right, and so are the function's unit checks.
+    /// The function from the upload, the others from the reference. If the picture is right with all functions that
+    /// pass their unit checks from the upload, that one in the place of all theirs. Nothing where the picture need not
+    /// be made: as submitted it is right, and so are the function's unit checks.
     std::optional<Rendering> rendering;
     double score = 0;  ///< 0 to 1
 };
@@ -133,11 +132,18 @@ struct PictureResult {
     std::string name;
     std::vector<IsolatedPicture> isolated;  ///< one for each function whose points depend on the picture
     std::optional<Rendering> submitted;     ///< nothing if the file does not link
+    /// With the functions that fail unit checks (the suspects) replaced by the reference; nothing if it was not made.
+    std::optional<Rendering> without_suspects;
     Picture expected;
     std::vector<std::string> explained_by;  ///< functions whose replacement by the reference repairs the picture
     double ms = 0;                          ///< CPU time of the picture as submitted
     double reference_ms = 0;
 };
+
+inline bool is_right(std::optional<Rendering> const& rendering)
+{
+    return rendering && rendering->comparison.score == 1;
+}
 
 /// The function for which the picture is worst; null if no points depend on it.
 inline IsolatedPicture const* worst(PictureResult const& picture)
@@ -162,11 +168,14 @@ struct CheckResults {
     std::vector<PictureResult> pictures;
     std::vector<Remark> remarks;
 
-    /// Whether no unit check of the function has failed.
-    bool all_pass(Function function) const
+    /// The functions of which no unit check has failed.
+    FunctionSet passing() const
     {
-        return std::all_of(checks.begin(), checks.end(),
-                           [&](auto const& check) { return check.function != function || check.passed; });
+        FunctionSet all = FunctionSet::all();
+        for (auto const& check : checks)
+            if (!check.passed)
+                all = all.without(check.function);
+        return all;
     }
 };
 

@@ -1,27 +1,10 @@
 #include "bench/command.h"
 
 #include "bench/bench_report.h"
-#include "compile/compile.h"
-#include "process/run.h"
-#include "rubric/rubric.h"
-
-#include <unistd.h>
-
-#include <cmath>
-#include <optional>
+#include "compile/compiled_upload.h"
 
 namespace testat::bench {
 namespace {
-void make_directory(std::filesystem::path const& directory)
-{
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (!std::filesystem::is_directory(directory))
-        throw std::invalid_argument("--out " + directory.string() + ": cannot be made: " + error.message());
-    if (access(directory.c_str(), W_OK) != 0)
-        throw std::invalid_argument("--out " + directory.string() + ": cannot be written to");
-}
-
 std::string write(BenchFile const& options, BenchResults const& results, Submission const* submission,
                   Build const* build)
 {
@@ -34,16 +17,10 @@ std::string write(BenchFile const& options, BenchResults const& results, Submiss
 
 std::string bench_upload(BenchFile const& options, Installation const& where)
 {
-    Submission const submission = read_submission(options.file);
-    constexpr Allowance as_long_as_it_takes{HUGE_VAL, HUGE_VAL};
-    Cage cage(options.confinement, as_long_as_it_takes);
-    make_directory(options.out);
-    TemporaryDirectory const workplace;
-    CompileOptions compile_options;
-    compile_options.compiler = options.compiler;
-    compile_options.standard = read_rubric(where.rubric).standard;
-    Build const build = compile(submission, compile_options, workplace.path(), where, cage);
-    return write(options, run_bench({&build, &cage}, options.bench, where), &submission, &build);
+    CompiledUpload upload(options.file, options.compiler, options.confinement, where);
+    make_output_directory(options.out);
+    return write(options, run_bench({&upload.build, &upload.cage}, options.bench, where), &upload.submission,
+                 &upload.build);
 }
 }  // namespace
 
@@ -51,7 +28,7 @@ std::string bench_file(BenchFile const& options, Installation const& where)
 {
     if (!options.file.empty())
         return bench_upload(options, where);
-    make_directory(options.out);
+    make_output_directory(options.out);
     return write(options, run_bench({}, options.bench, where), nullptr, nullptr);
 }
 }  // namespace testat::bench

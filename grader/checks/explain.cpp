@@ -11,20 +11,18 @@ bool needs_explaining(PictureResult const& picture)
     return picture.submitted && picture.submitted->comparison.score < 1;
 }
 
-/// Functions that are not entirely right and may have a hand in the picture, in the order of the sheet.
-std::vector<Function> suspects(CheckResults const& results, std::string const& picture)
+/// Functions that are not entirely right and may have a hand in the picture, in the order of the sheet. What passes its
+/// unit checks and fails another picture has no part in this one if it is right without those that fail unit checks.
+std::vector<Function> suspects(CheckResults const& results, PictureResult const& picture)
 {
-    FunctionSet wrong;
-    for (auto const& check : results.checks)
-        if (!check.passed)
-            wrong = wrong.with(check.function);
+    FunctionSet right = results.passing();
     for (auto const& other : results.pictures)
         for (auto const& isolated : other.isolated)
-            if (isolated.score < 1)
-                wrong = wrong.with(isolated.function);
+            if (isolated.score < 1 && !is_right(picture.without_suspects))
+                right = right.without(isolated.function);
     std::vector<Function> found;
     for (Function f : every_function())
-        if (wrong.has(f) && functions_in(picture).has(f))
+        if (!right.has(f) && functions_in(picture.name).has(f))
             found.push_back(f);
     return found;
 }
@@ -76,13 +74,22 @@ bool is_right(PictureResult const& result, std::string const& from_upload, Obser
 /// Whether nothing of the upload is left in the picture without its suspects.
 bool are_all(std::vector<Function> const& suspected, std::string const& picture)
 {
-    return (functions_in(picture).bits() & all_without(suspected).bits()) == 0;
+    return !functions_in(picture).meets(all_without(suspected));
+}
+
+/// Whether it need not be asked what the picture looks like without its suspects.
+bool is_known_without(std::vector<Function> const& suspected, PictureResult const& picture, CheckResults const& results)
+{
+    auto const has_failed = [&](Function f) { return !results.passing().has(f); };
+    return are_all(suspected, picture.name) ||
+           (picture.without_suspects && std::all_of(suspected.begin(), suspected.end(), has_failed));
 }
 
 bool is_right_without(std::vector<Function> const& suspected, PictureResult const& result,
                       Observations const& observations, Envelope const& envelope)
 {
-    return are_all(suspected, result.name) || is_right(result, none, observations, envelope);
+    return are_all(suspected, result.name) || is_right(result.without_suspects) ||
+           is_right(result, none, observations, envelope);
 }
 
 /// The suspects that spoil the picture, each by itself; all of them if it takes several together. Nobody if the
@@ -109,11 +116,11 @@ Request ask_repaired(CheckResults const& results, FunctionSet written)
     // Only words depend on these pictures, so they get little time.
     Request request{{2, 1, 10}, FunctionSet(), {}, {}};
     for (auto const& picture : results.pictures) {
-        auto const suspected = suspects(results, picture.name);
+        auto const suspected = suspects(results, picture);
         if (!needs_explaining(picture) || suspected.empty())
             continue;
         FunctionSet const unsuspected = all_without(suspected);
-        if (!are_all(suspected, picture.name))
+        if (!is_known_without(suspected, picture, results))
             add_group(picture.name, none, unsuspected, request);
         for (Function f : suspected)
             if (suspected.size() > 1 && !known_alone(picture, f, written))
@@ -125,22 +132,22 @@ Request ask_repaired(CheckResults const& results, FunctionSet written)
 FunctionSet unexplained(CheckResults const& results, FunctionSet written, Observations const& repaired,
                         Installation const& where)
 {
-    std::uint32_t found = 0;
+    FunctionSet found;
     for (auto const& picture : results.pictures) {
-        auto const suspected = suspects(results, picture.name);
+        auto const suspected = suspects(results, picture);
         if (needs_explaining(picture) &&
             !is_right_without(suspected, picture, repaired,
                               read_envelope(where.envelopes / (picture.name + ".envelope"))))
-            found |= functions_in(picture.name).bits() & all_without(suspected).bits();
+            found = found | (functions_in(picture.name) & all_without(suspected));
     }
-    return FunctionSet(found & written.bits());
+    return found & written;
 }
 
 void explain(CheckResults& results, FunctionSet written, Observations const& repaired, Installation const& where)
 {
     for (auto& picture : results.pictures)
         if (needs_explaining(picture))
-            picture.explained_by = find_culprits(picture, suspects(results, picture.name), written, repaired,
+            picture.explained_by = find_culprits(picture, suspects(results, picture), written, repaired,
                                                  read_envelope(where.envelopes / (picture.name + ".envelope")));
 }
 }  // namespace testat

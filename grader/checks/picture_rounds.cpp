@@ -21,10 +21,9 @@ bool may_cull(CheckResults const& results, FunctionSet from_upload, std::string 
 {
     if (!is_transformed(picture))
         return !from_upload.has(Function::intersect) || passes(results, check_without_transforms);
-    for (Function f : {Function::transform_direction, Function::transform_position, Function::intersect})
-        if (from_upload.has(f) && !results.all_pass(f))
-            return false;
-    return true;
+    FunctionSet const find_hits =
+        FunctionSet::only(Function::transform_direction).with(Function::transform_position).with(Function::intersect);
+    return (from_upload & find_hits).is_subset_of(results.passing());
 }
 
 FunctionSet hanging(CheckResults const& results)
@@ -41,22 +40,37 @@ std::string isolated_name(std::string const& picture, Function function)
     return "isolated/" + picture + "/" + std::string(info(function).name);
 }
 
-bool is_right(std::optional<Rendering> const& rendering)
+std::string name_without_suspects(std::string const& picture)
 {
-    return rendering && rendering->comparison.score == 1;
+    return "without_suspects/" + picture;
 }
 
-bool must_be_isolated(PictureResult const& picture, CheckResults const& results, Function function)
+/// Whether the picture may show whose fault it is that it is wrong as submitted: functions of both kinds have a hand in
+/// it.
+bool must_be_made_without_suspects(PictureResult const& picture, CheckResults const& results)
 {
-    return !is_right(picture.submitted) || !results.all_pass(function);
+    FunctionSet const in_picture = functions_in(picture.name);
+    FunctionSet const passing = results.passing();
+    return !is_right(picture.submitted) && !picture.without_suspects && in_picture.meets(passing) &&
+           !in_picture.is_subset_of(passing);
 }
 
-Group isolated_group(CheckResults const& results, std::string const& picture, Function function)
+/// Without its suspects a picture tells of all other functions at once.
+bool must_be_isolated(PictureResult const& picture, CheckResults const& results, IsolatedPicture const& isolated)
+{
+    if (isolated.rendering)
+        return false;
+    if (!results.passing().has(isolated.function))
+        return true;
+    return !is_right(picture.submitted) && !must_be_made_without_suspects(picture, results);
+}
+
+Group culled_group(CheckResults const& results, std::string const& picture, std::string name, FunctionSet from_upload)
 {
     Group group = picture_group(picture);
-    group.name = isolated_name(picture, function);
-    group.from_upload = FunctionSet::only(function);
-    group.culling = may_cull(results, group.from_upload, picture);
+    group.name = std::move(name);
+    group.from_upload = from_upload;
+    group.culling = may_cull(results, from_upload, picture);
     return group;
 }
 
@@ -107,22 +121,37 @@ void judge_submitted(CheckResults& results, Rubric const& rubric, Build const& b
 Request ask_isolated(Rubric const& rubric, CheckResults const& results, Build const& build)
 {
     Request request{rubric.limits, hanging(results), {}, {}};
-    for (auto const& picture : results.pictures)
+    FunctionSet const written = build.written();
+    for (auto const& picture : results.pictures) {
+        if (must_be_made_without_suspects(picture, results))
+            request.groups.push_back(
+                culled_group(results, picture.name, name_without_suspects(picture.name), results.passing() & written));
         for (auto const& isolated : picture.isolated)
-            if (build.written().has(isolated.function) && must_be_isolated(picture, results, isolated.function))
-                request.groups.push_back(isolated_group(results, picture.name, isolated.function));
+            if (written.has(isolated.function) && must_be_isolated(picture, results, isolated))
+                request.groups.push_back(culled_group(results, picture.name,
+                                                      isolated_name(picture.name, isolated.function),
+                                                      FunctionSet::only(isolated.function)));
+    }
     return request;
 }
 
 void judge_isolated(CheckResults& results, Observations const& observations, Installation const& where)
 {
-    for (auto& picture : results.pictures)
-        for (auto& isolated : picture.isolated) {
-            if (!must_be_isolated(picture, results, isolated.function))
-                continue;
-            isolated.rendering = judge_rendering(picture.name, isolated_name(picture.name, isolated.function),
-                                                 observations, envelope_of(picture.name, where));
-            isolated.score = isolated.rendering->comparison.score;
-        }
+    for (auto& picture : results.pictures) {
+        auto const judge = [&](std::string const& group) {
+            return judge_rendering(picture.name, group, observations, envelope_of(picture.name, where));
+        };
+        for (auto& isolated : picture.isolated)
+            if (must_be_isolated(picture, results, isolated)) {
+                isolated.rendering = judge(isolated_name(picture.name, isolated.function));
+                isolated.score = isolated.rendering->comparison.score;
+            }
+        if (must_be_made_without_suspects(picture, results))
+            picture.without_suspects = judge(name_without_suspects(picture.name));
+        if (is_right(picture.without_suspects))
+            for (auto& isolated : picture.isolated)
+                if (!isolated.rendering)
+                    isolated.rendering = picture.without_suspects;
+    }
 }
 }  // namespace testat

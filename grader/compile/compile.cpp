@@ -9,7 +9,6 @@
 #include "text.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <sstream>
 
@@ -174,13 +173,6 @@ std::map<Function, SourceExcerpt> excerpts(std::string_view text, std::vector<De
     return result;
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Compiles texts until the time for all of them is used up.
 CompileText with_time_limit(Arguments const& call, Compiler const& compiler)
 {
@@ -270,7 +262,6 @@ void run_compiler(Submission const& submission, CompileOptions const& options, C
 Build compile(Submission const& submission, CompileOptions const& options, std::filesystem::path const& directory,
               Installation const& where, Cage& cage)
 {
-    auto const start = Clock::now();
     Build build;
     build.compiler = describe(options.compiler);
     if (submission.refused) {
@@ -285,7 +276,6 @@ Build compile(Submission const& submission, CompileOptions const& options, std::
     cage.show(directory);
     cage.hand_over(directory / output_name);
     run_compiler(submission, options, {where, directory, cage}, build);
-    build.ms = 1e3 * seconds_since(start);
     return build;
 }
 }  // namespace testat

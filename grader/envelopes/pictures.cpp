@@ -63,10 +63,6 @@ FunctionSet set_of(std::initializer_list<Function> functions)
     return set;
 }
 
-FunctionSet together(FunctionSet a, FunctionSet b)
-{
-    return FunctionSet(a.bits() | b.bits());
-}
 }  // namespace
 
 bool is_transformed(std::string const& picture)
@@ -90,8 +86,7 @@ FunctionSet called_in(std::string const& picture)
     if (has(picture, "goboard") || !(has(picture, "_zero") || has(picture, "_debugmip")))
         called = called.with(has(picture, "_clamp") ? Function::wrap_clamp : Function::wrap_repeat);
     if (is_transformed(picture))
-        called = together(called,
-                          set_of({Function::transform_direction, Function::transform_position, Function::intersect}));
+        called = called | set_of({Function::transform_direction, Function::transform_position, Function::intersect});
     return has(picture, "_after_f") ? called.with(Function::transform_direction_to_object_space) : called;
 }
 
@@ -102,7 +97,7 @@ FunctionSet functions_in(std::string const& picture)
         return called.with(Function::intersect);
     FunctionSet const lookups =
         set_of({Function::evaluate_nearest, Function::wrap_clamp, Function::wrap_repeat, Function::evaluate_bilinear});
-    return together(picture == miplevels ? called : called.with(Function::intersect), lookups);
+    return lookups | (picture == miplevels ? called : called.with(Function::intersect));
 }
 
 Group picture_group(std::string const& picture)

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <system_error>
@@ -138,7 +137,6 @@ Observations decode_answers(Request const& request, std::vector<std::byte> const
 
 Observations observe(Build const& build, Request const& request, Installation const& where, Cage& cage)
 {
-    auto const start = std::chrono::steady_clock::now();
     long long const kills_before = out_of_memory_kills();
     Descriptor const answers = memory_file("answers");
     Finished const probe = ask(build, serialize(request, within(cage.left(), request.limits)), answers, where, cage);
@@ -151,7 +149,6 @@ Observations observe(Build const& build, Request const& request, Installation co
         throw std::runtime_error("this machine has too little memory: its kernel killed the upload's process");
     if (probe.timed_out)
         time_out_rest(observations);
-    observations.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return observations;
 }
 }  // namespace testat

@@ -29,6 +29,20 @@ void write_and_sync(std::filesystem::path const& file, std::string const& bytes)
 }
 }  // namespace
 
+void make_output_directory(std::filesystem::path const& directory)
+{
+    std::string const option = "--out " + directory.string();
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (!std::filesystem::is_directory(directory))
+        throw std::invalid_argument(option + ": cannot be made: " + error.message());
+    auto const trial = directory / (".testat-" + std::to_string(getpid()));
+    bool const writable = std::ofstream(trial).is_open();
+    std::filesystem::remove(trial, error);
+    if (!writable)
+        throw std::invalid_argument(option + ": cannot be written to");
+}
+
 void write_file(std::filesystem::path const& file, std::string const& bytes)
 {
     std::ofstream out(file, std::ios::binary);

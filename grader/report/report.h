@@ -38,6 +38,9 @@ Report make_not_gradable(Submission const& submission, TestSet const& test_set, 
 /// JSON text of the document, numbers as short as they can be, ending with a newline.
 std::string to_text(Report const& report);
 
+/// Makes what --out names. Throws std::invalid_argument if it cannot be made or written to.
+void make_output_directory(std::filesystem::path const& directory);
+
 /// Throws std::runtime_error naming the file.
 void write_file(std::filesystem::path const& file, std::string const& bytes);
 

@@ -1,11 +1,13 @@
 #include "checks/picture_rounds.h"
 
+#include "envelopes/envelope.h"
 #include "example_grading.h"
 #include "installation.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace testat {
 namespace {
@@ -35,11 +37,14 @@ protected:
         return found;
     }
 
-    static bool culling(Request const& request, std::string const& name)
+    static Group find_group(Request const& request, std::string const& name)
     {
-        return std::any_of(request.groups.begin(), request.groups.end(),
-                           [&](auto const& group) { return group.name == name && group.culling; });
+        auto const found = std::find_if(request.groups.begin(), request.groups.end(),
+                                        [&](auto const& group) { return group.name == name; });
+        return found == request.groups.end() ? Group{} : *found;
     }
+
+    static bool culling(Request const& request, std::string const& name) { return find_group(request, name).culling; }
 
     Rubric rubric_;
     CheckResults results_;
@@ -84,6 +89,49 @@ TEST_F(PictureRounds, IsolateEachFunctionOfAPictureThatIsWrongAsSubmitted)
         names(ask_isolated(rubric_, results_, build_)),
         (std::set<std::string>{"isolated/goboard_after_e/transform_direction",
                                "isolated/goboard_after_e/transform_position", "isolated/goboard_after_e/intersect"}));
+}
+
+TEST_F(PictureRounds, AskOnceForAllThatIsNotSuspected)
+{
+    fail("TransformPosition.RigidMotions");
+    picture("goboard_after_e").submitted->comparison.score = 0.5;
+    Request const request = ask_isolated(rubric_, results_, build_);
+    EXPECT_EQ(names(request), (std::set<std::string>{"isolated/goboard_after_e/transform_position",
+                                                     "isolated/pooltable_after_e/transform_position",
+                                                     "without_suspects/goboard_after_e"}));
+    EXPECT_EQ(find_group(request, "without_suspects/goboard_after_e").from_upload,
+              FunctionSet::all().without(Function::transform_position));
+}
+
+TEST_F(PictureRounds, IsolateTheRestOfWhatIsWrongWithoutItsSuspects)
+{
+    fail("TransformPosition.RigidMotions");
+    PictureResult& goboard = picture("goboard_after_e");
+    goboard.submitted->comparison.score = 0.5;
+    judge_isolated(results_, {}, installation());
+    EXPECT_EQ(
+        names(ask_isolated(rubric_, results_, build_)),
+        (std::set<std::string>{"isolated/goboard_after_e/transform_direction", "isolated/goboard_after_e/intersect"}));
+    EXPECT_TRUE(ask_repaired(results_, FunctionSet::all()).groups.empty()) << "it is known without the one suspect";
+}
+
+TEST_F(PictureRounds, IsolateNothingMoreWhereAPictureIsRightWithoutItsSuspects)
+{
+    fail("TransformPosition.RigidMotions");
+    PictureResult& goboard = picture("goboard_after_e");
+    goboard.submitted->comparison.score = 0.5;
+    Group const group = find_group(ask_isolated(rubric_, results_, build_), "without_suspects/goboard_after_e");
+    Answers answers{group, {}, std::vector<std::uint32_t>(group.answer_size())};
+    answers.status.ended = Ended::answered;
+    auto const rgb = read_envelope(installation().envelopes / "goboard_after_e.envelope").expected.rgb;
+    ASSERT_EQ(rgb.size(), answers.words.size());
+    std::memcpy(answers.words.data(), rgb.data(), rgb.size() * sizeof rgb[0]);
+    Observations observations;
+    observations.groups.emplace(group.name, std::move(answers));
+    judge_isolated(results_, observations, installation());
+    EXPECT_TRUE(ask_isolated(rubric_, results_, build_).groups.empty());
+    for (auto const& isolated : goboard.isolated)
+        EXPECT_EQ(isolated.score, isolated.function == Function::transform_position ? 0 : 1);
 }
 
 TEST_F(PictureRounds, IsolateOnlyWhatIsDefined)

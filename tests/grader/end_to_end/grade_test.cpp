@@ -218,6 +218,16 @@ TEST(Report, LeavesNoPicturesOfTheFileBefore)
         EXPECT_NE(file.find("_after_a_zero."), std::string::npos) << file;
 }
 
+TEST(Timing, IsPrintedOnRequest)
+{
+    Graded const with = grade(example_file(), {"--timing"});
+    Graded const without = grade(example_file());
+    for (char const* stage : {"\ncompile ", "\nobserve: unit checks ", "\ncheck ", "\ntotal "}) {
+        EXPECT_NE(with.out.find(stage), std::string::npos) << stage << with.out;
+        EXPECT_EQ(without.out.find(stage), std::string::npos) << stage << without.out;
+    }
+}
+
 TEST(Report, GoesToAFolderNamedAfterTheFileUnlessToldOtherwise)
 {
     TemporaryDirectory const place;
