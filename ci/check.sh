@@ -4,7 +4,7 @@
 #   ci/check.sh [--quick | --thorough]
 #
 #   --quick      leaves out the sanitizers, fuzzing and clang-tidy
-#   --thorough   clang-tidy reads all files, not only those that the last thirty commits have changed
+#   --thorough   clang-tidy reads all files, not only those that the last twenty commits have changed
 #
 # The last line is "N passed, N failed": the tests ctest ran, over all presets; a step that fails without a failing test
 # counts as one. Logs and test results are in build/check.
@@ -130,10 +130,10 @@ thread_sanitizer() {
     tests tsan --label-regex '^threads$' --no-tests=error
 }
 
-# Sources that the last thirty commits have changed; all where git does not go back so far.
+# Sources that the last twenty commits have changed; all where git does not go back so far.
 recent_sources() {
-    if ((!thorough)) && git -c safe.directory="$root" rev-parse --quiet --verify HEAD~30 >/dev/null; then
-        git -c safe.directory="$root" diff --name-only --diff-filter=d HEAD~30 -- 'framework/*.cpp' 'grader/*.cpp'
+    if ((!thorough)) && git -c safe.directory="$root" rev-parse --quiet --verify HEAD~20 >/dev/null; then
+        git -c safe.directory="$root" diff --name-only --diff-filter=d HEAD~20 -- 'framework/*.cpp' 'grader/*.cpp'
     else
         files 'framework/*.cpp' 'grader/*.cpp' | tr '\0' '\n'
     fi

@@ -58,7 +58,7 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     explain(results, build.written(), repaired, where);
     FunctionSet const right_alone = unexplained(results, build.written(), repaired, where);
     auto const together = [&](Request const& request) { return answers("observe: together", request); };
-    take_credit(results, find_circular(right_alone, questions, together));
+    take_credit(results, find_circular(right_alone, units, questions, together));
     Grade const grade = score(results, build, rubric, options.lenient);
     stages.end("check");
     write_pictures(results, options.out, where.envelopes);

@@ -6,10 +6,12 @@
 #include "batch/regrade.h"
 #include "batch/store.h"
 #include "batch/times.h"
+#include "batch/written.h"
 #include "installation.h"
 #include "json_schema.h"
 #include "progress.h"
 #include "report/formats/format.h"
+#include "report/printer.h"
 #include "rubric/rubric.h"
 #include "sandbox/cage.h"
 #include "text.h"
@@ -124,6 +126,29 @@ Report as_from(Upload const& upload, Report report)
     return report;
 }
 
+/// The names by which an override may call whose upload it is: a team's folder is named after whoever was last.
+std::vector<std::string> names_of(Upload const& upload)
+{
+    std::vector<std::string> names = upload.members;
+    names.push_back(upload.student);
+    return names;
+}
+
+/// Overrides of nobody: a misspelt name must not be lost.
+std::vector<std::string> lost_overrides(std::vector<Upload> const& uploads, fs::path const& file, Language language)
+{
+    constexpr Term nobody{"overrides.json: niemand heißt {}", "overrides.json: nobody is called {}"};
+    std::set<std::string> known;
+    for (auto const& upload : uploads)
+        for (auto const& name : names_of(upload))
+            known.insert(name);
+    std::vector<std::string> lost;
+    for (auto const& given : read_overrides(file))
+        if (known.count(given.student) == 0)
+            lost.push_back(fmt::format(fmt::runtime(say(nobody, language)), one_line(given.student)));
+    return lost;
+}
+
 std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOptions const& options, Store const& store)
 {
     auto const& settings = options.settings;
@@ -147,7 +172,7 @@ std::vector<GradedUpload> grade_all(std::vector<Upload> const& uploads, BatchOpt
         auto const found = store.find(entry.key);
         if (found)
             entry.graded = fmt::format("{:.2f}", found->at("points").at("earned").get<double>());
-        entry.report = found ? apply(overrides, entry.upload.student, as_from(entry.upload, *found))
+        entry.report = found ? apply(overrides, names_of(entry.upload), as_from(entry.upload, *found))
                              : not_gradable_report(entry.upload, options, grading.failure(entry.key));
     }
     return entries;
@@ -162,11 +187,27 @@ void link_or_copy(fs::path const& from, fs::path const& to)
         fs::copy_file(from, to, fs::copy_options::overwrite_existing);
 }
 
+constexpr char const* files_of_a_student[] = {"report.json", "report.html", "report.txt", "results.json", "pictures"};
+
 bool is_ours(fs::path const& entry)
 {
-    std::string const name = entry.filename().string();
-    return name == "report.json" || name == "report.html" || name == "report.txt" || name == "results.json" ||
-           name == "pictures";
+    auto const is_it = [&](char const* name) { return entry.filename() == name; };
+    return std::any_of(std::begin(files_of_a_student), std::end(files_of_a_student), is_it);
+}
+
+bool is_whole(fs::path const& folder)
+{
+    auto const is_there = [&](char const* name) { return fs::exists(folder / name); };
+    return std::all_of(std::begin(files_of_a_student), std::end(files_of_a_student), is_there);
+}
+
+/// All that a student's folder is made from. Times are those of the result that the key names.
+std::string basis_of(GradedUpload const& entry, Language language)
+{
+    Report report = entry.report;
+    report.erase("timing");
+    report.erase("run_time");
+    return fmt::format("{}\n{}\n{}", entry.key, int(language), report.dump());
 }
 
 void write_report(GradedUpload const& entry, fs::path const& results, fs::path const& folder, Language language)
@@ -181,12 +222,12 @@ void write_report(GradedUpload const& entry, fs::path const& results, fs::path c
     write_file(part / "report.txt", report_to_text(entry.report, language));
     write_file(part / "report.html", to_html({{entry.upload.student, entry.report, part}}, language));
     write_file(part / "results.json", to_gradescope({{entry.upload.student, entry.report}}, language));
-    if (fs::is_directory(folder))
-        for (auto const& other : fs::directory_iterator(folder))
-            if (!is_ours(other.path()))  // what a tutor has put there stays
-                fs::rename(other.path(), part / other.path().filename());
-    fs::remove_all(folder);
-    fs::rename(part, folder);
+    fs::create_directories(folder);  // what a tutor has put there stays where it is
+    for (char const* name : files_of_a_student) {
+        fs::remove_all(folder / name);
+        fs::rename(part / name, folder / name);
+    }
+    fs::remove(part);
 }
 
 /// Students who are no longer in the input keep no report, unless a tutor has put something beside it.
@@ -203,16 +244,19 @@ void remove_others(std::vector<GradedUpload> const& entries, fs::path const& rep
     }
 }
 
-void write_outputs(std::vector<GradedUpload> const& entries, std::string const& overview, BatchOptions const& options)
+void write_outputs(std::vector<GradedUpload> const& entries, std::string const& overview, BatchOptions const& options,
+                   Written& written)
 {
     fs::path const reports = options.out / "reports";
     fs::create_directories(reports);
     tbb::parallel_for_each(entries, [&](GradedUpload const& entry) {
-        write_report(entry, options.out / store_name / "results", reports / entry.upload.student, options.language);
+        fs::path const folder = reports / entry.upload.student;
+        written.update("reports/" + entry.upload.student, is_whole(folder), basis_of(entry, options.language),
+                       [&] { write_report(entry, options.out / store_name / "results", folder, options.language); });
     });
     std::vector<NamedReport> named;
     for (auto const& entry : entries)
-        named.push_back({entry.upload.student, entry.report});
+        named.push_back({entry.upload.student, entry.report, fs::path("reports") / entry.upload.student});
     remove_others(entries, reports);
     write_atomically(options.out / "grades.csv", grades_table(entries));
     write_atomically(options.out / "junit.xml", to_junit(named, options.language));
@@ -221,15 +265,22 @@ void write_outputs(std::vector<GradedUpload> const& entries, std::string const& 
 
 /// What goes back to ILIAS, each file as a whole or not at all. Where some are in teams and some are not, teams have a
 /// sheet of their own: its rows are of another shape.
-void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const& title, BatchOptions const& options)
+void write_for_ilias(std::vector<GradedUpload> const& entries, std::string const& title, BatchOptions const& options,
+                     Written& written)
 {
     auto const write = [&](char const* name, auto const& writer) {
         fs::path const part = options.out / (std::string(name) + ".part");
         writer(part);
         fs::rename(part, options.out / name);
     };
-    write("feedback.zip", [&](fs::path const& file) {
-        write_feedback_zip(entries, options.out / "reports", title, options.assignment, file);
+    std::string basis = title + "\n" + options.assignment;
+    for (auto const& entry : entries)
+        basis += fmt::format("\n{}\n{}\n{}", entry.upload.folder, fmt::join(entry.upload.members, "\n"),
+                             sha256(basis_of(entry, options.language)));
+    written.update("feedback.zip", fs::exists(options.out / "feedback.zip"), basis, [&] {
+        write("feedback.zip", [&](fs::path const& file) {
+            write_feedback_zip(entries, options.out / "reports", title, options.assignment, file);
+        });
     });
     auto const is_team = [](GradedUpload const& entry) { return !entry.upload.team.empty(); };
     bool const teams = std::any_of(entries.begin(), entries.end(), is_team);
@@ -293,10 +344,14 @@ bool batch(BatchOptions const& options)
                   << changes << "Nothing was written; --apply does.\n";
         return all_graded;
     }
-    std::string const overview = summary(entries, intake.remarks, options.language);
-    write_outputs(entries, overview, options);
+    auto remarks = lost_overrides(intake.uploads, options.out / "overrides.json", options.language);
+    remarks.insert(remarks.end(), intake.remarks.begin(), intake.remarks.end());
+    std::string const overview = summary(entries, remarks, options.language);
+    Written written(options.out / store_name / "written.json");
+    write_outputs(entries, overview, options, written);
     if (intake.is_ilias)
-        write_for_ilias(entries, intake.title, options);
+        write_for_ilias(entries, intake.title, options, written);
+    written.remember();
     auto const similar = write_similarity(intake, scratch.path(), options);
     write_atomically(options.out / "overview.html", overview_page(entries, similar, intake.title, options.language));
     applied.remember(entries);

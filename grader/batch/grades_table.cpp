@@ -16,9 +16,10 @@ std::string overrides_in(Report const& report)
     std::string all;
     auto const add = [&](std::string const& what, Report const& place) {
         if (place.contains("override"))
-            all += fmt::format("{}{}: {} ({})", all.empty() ? "" : "; ", what,
+            all += fmt::format("{}{}: {} ({}, {})", all.empty() ? "" : "; ", what,
                                place.at("override").at("reason").get<std::string>(),
-                               place.at("override").at("who").get<std::string>());
+                               place.at("override").at("who").get<std::string>(),
+                               place.at("override").at("when").get<std::string>());
     };
     if (report.at("status") != "graded")
         return all;

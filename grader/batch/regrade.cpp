@@ -4,18 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace testat {
 namespace {
-Report read_if_there(std::filesystem::path const& file)
-{
-    std::ifstream in(file);
-    Report const document = in ? Report::parse(in, nullptr, false) : Report();
-    return document.is_object() ? document : Report::object();
-}
-
 std::string indented(std::string const& text)
 {
     std::istringstream in(text);

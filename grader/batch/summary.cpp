@@ -1,5 +1,7 @@
 #include "batch/batch.h"
-#include "report/printer.h"
+#include "report/reading.h"
+#include "report/wrap.h"
+#include "text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +22,8 @@ constexpr Term late{"Verspätet", "Late"};
 constexpr Term not_gradable{"Nicht bewertbar (kein Fehler der Abgabe)", "Not gradable (not the upload's fault)"};
 constexpr Term slowest{"Am langsamsten (s)", "Slowest (s)"};
 constexpr Term overridden{"Von Hand geändert", "Changed by hand"};
+constexpr Term older_files{"Ältere Dateien, die nicht zählen", "Older files, which do not count"};
+constexpr Term largest{"Am größten (KB)", "Largest (KB)"};
 constexpr Term remarks_term{"Beim Einlesen", "While reading"};
 
 using Names = std::vector<std::string>;
@@ -41,6 +45,7 @@ public:
             tasks();
             same_mistakes();
             slow();
+            large();
         }
         list(not_built,
              named([](GradedUpload const& e) { return !e.report.at("build").at("ok").template get<bool>(); }));
@@ -48,8 +53,8 @@ public:
                  auto const& applied = e.report.at("policy").at("applied");
                  return std::find(applied.begin(), applied.end(), "crashes") != applied.end();
              }));
-        list(overridden,
-             named([](GradedUpload const& e) { return to_text(e.report).find("\"override\"") != std::string::npos; }));
+        list(overridden, changes_by_hand());
+        list(older_files, older());
         Names late_ones, failed;
         for (auto const& entry : entries_) {
             if (entry.upload.late)
@@ -64,6 +69,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t shown = 5;
+
     static double earned(GradedUpload const& entry) { return entry.report.at("points").at("earned"); }
     static double max(GradedUpload const& entry) { return entry.report.at("points").at("max"); }
 
@@ -75,6 +82,24 @@ private:
             if (wanted(*entry))
                 names.push_back(entry->upload.student);
         return names;
+    }
+
+    Names changes_by_hand() const
+    {
+        Names changes;
+        for (GradedUpload const* entry : graded_)
+            for (auto const& change : Reading(entry->report).by_hand())
+                changes.push_back(entry->upload.student + ": " + one_line(change));
+        return changes;
+    }
+
+    Names older() const
+    {
+        Names files;
+        for (auto const& entry : entries_)
+            for (auto const& file : entry.upload.older)
+                files.push_back(entry.upload.student + ": " + one_line(file.filename().string()));
+        return files;
     }
 
     void list(Term title, Names const& names)
@@ -137,15 +162,29 @@ private:
         std::stable_sort(sorted.begin(), sorted.end(),
                          [](auto const& a, auto const& b) { return a.second.size() > b.second.size(); });
         for (auto const& [mistake, names] : sorted) {
-            line("\n{}: {}", say(mistakes), mistake);
+            line("\n{}: {}", say(mistakes), wrap_words(mistake, 4, columns_of(say(mistakes)) + 2));
             for (auto const& name : names)
                 line("  {}", name);
         }
     }
 
+    void large()
+    {
+        std::vector<std::pair<std::uintmax_t, std::string>> sizes;
+        for (auto const& entry : entries_) {
+            std::error_code error;
+            auto const bytes = std::filesystem::file_size(entry.upload.file, error);
+            if (!error)
+                sizes.emplace_back(bytes, entry.upload.student);
+        }
+        std::stable_sort(sizes.begin(), sizes.end(), [](auto const& a, auto const& b) { return a.first > b.first; });
+        line("\n{}", say(largest));
+        for (std::size_t i = 0; i < std::min(shown, sizes.size()); ++i)
+            line("  {:6.1f}  {}", double(sizes[i].first) / 1000, sizes[i].second);
+    }
+
     void slow()
     {
-        constexpr std::size_t shown = 5;
         auto sorted = graded_;
         auto const ms = [](GradedUpload const* entry) {
             return entry->report.at("timing").at("total_ms").get<double>();

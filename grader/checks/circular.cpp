@@ -25,16 +25,31 @@ Request ask_together(Questions const& questions, FunctionSet functions)
     return request;
 }
 
-bool fails(UnitCheck const& check, Answers const& answers, Textures const& textures)
+/// CPU time in seconds: a check that takes less alone, and more together, goes round in circles.
+constexpr double quick_s = 0.25;
+constexpr double long_s = 1;
+
+bool fails(UnitCheck const& check, Answers const& answers, Answers const* alone, Textures const& textures)
 {
-    return answers.status.ended != Ended::answered || !(check.judge(answers, textures).error() <= by_far);
+    switch (answers.status.ended) {
+        case Ended::answered:
+            return !(check.judge(answers, textures).error() <= by_far);
+        case Ended::timed_out:
+            return alone != nullptr && alone->status.cpu_s < quick_s && answers.status.cpu_s > long_s;
+        case Ended::lost:
+        case Ended::not_loaded:
+            return false;
+        default:
+            return true;
+    }
 }
 
-FunctionSet failing(Observations const& observations, Textures const& textures)
+FunctionSet failing(Observations const& observations, Observations const& alone, Textures const& textures)
 {
     FunctionSet found;
     for (auto const& check : unit_checks())
-        if (auto const* answers = observations.find(check.name); answers && fails(check, *answers, textures))
+        if (auto const* answers = observations.find(check.name);
+            answers && fails(check, *answers, alone.find(check.name), textures))
             found = found.with(check.function);
     return found;
 }
@@ -49,11 +64,12 @@ std::string names(FunctionSet functions)
 }
 }  // namespace
 
-FunctionSet find_circular(FunctionSet functions, Questions const& questions, Ask const& ask)
+FunctionSet find_circular(FunctionSet functions, Observations const& alone, Questions const& questions, Ask const& ask)
 {
     auto const failing_together = [&](FunctionSet together) {
-        return are_several(together) ? failing(ask(ask_together(questions, together)), questions.request.textures)
-                                     : FunctionSet();
+        return are_several(together)
+                   ? failing(ask(ask_together(questions, together)), alone, questions.request.textures)
+                   : FunctionSet();
     };
     // What only calls something whose mistake no check of its own shows is right again once that is the reference's.
     for (FunctionSet left = failing_together(functions); left != functions; left = failing_together(functions))

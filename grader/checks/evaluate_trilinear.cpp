@@ -67,7 +67,7 @@ double magnified(Random& random, int i)
     return i % 16 == 0 ? 1 : std::exp2(random.uniform(-12, 0));
 }
 
-/// The first four exactly in the corners of the unit square.
+/// The first four exactly in the corners of the unit square; now and then in mode zero, around it.
 Group ask_magnified(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
@@ -76,6 +76,9 @@ Group ask_magnified(Random& random, Textures const& textures)
             ask_footprint(random, textures, TestTexture::noise_square, Place::inside, glm::dvec2(magnified(random, i)));
         if (i < 4)
             store(glm::dvec2(i % 2, i / 2), q.uv);
+        if (i % 16 == 4)
+            q = ask_footprint(random, textures, TestTexture::stripes_zero, Place::anywhere,
+                              glm::dvec2(magnified(random, i)));
         questions.push_back(q);
     }
     return make_group(Kind::lookup, questions);
@@ -137,7 +140,8 @@ void add_evaluate_trilinear_checks(std::vector<UnitCheck>& checks)
     add("NoFootprint", ask({TestTexture::noise_square}, nothing));
     add("LastLevel", ask({TestTexture::noise_square, TestTexture::noise_long, TestTexture::mip_single}, last_level));
     add("BeyondTheLastLevel",
-        ask({TestTexture::noise_square, TestTexture::mip_single, TestTexture::noise_long}, beyond));
+        ask({TestTexture::noise_square, TestTexture::mip_single, TestTexture::noise_long, TestTexture::stripes_zero},
+            beyond));
     checks.push_back(metamorphic_check("EvaluateTrilinear.MirroredTexture", Function::evaluate_trilinear, Kind::lookup,
                                        mirror_without_level_zero, compare_mean));
 }

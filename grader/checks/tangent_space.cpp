@@ -33,12 +33,19 @@ Group ask_unit(Random& random, Textures const&)
     return make_group(Kind::tangent_space, questions);
 }
 
+/// The first six exactly along the axes of the frame.
 Group ask_lengths(Random& random, Textures const&)
 {
     std::vector<TangentSpaceQuestion> questions;
     for (int i = 0; i < questions_each; ++i) {
-        double const length = std::exp2(random.uniform(0.5, 6));
-        questions.push_back(random_frame(random, random.coin() ? length : 1 / length));
+        double const longer = std::exp2(random.uniform(0.5, 6));
+        double const length = random.coin() ? longer : 1 / longer;
+        questions.push_back(random_frame(random, length));
+        if (i < 6) {
+            glm::dvec3 d(0);
+            d[i / 2] = i % 2 == 0 ? length : -length;
+            store(d, questions.back().d);
+        }
     }
     return make_group(Kind::tangent_space, questions);
 }

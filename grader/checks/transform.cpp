@@ -61,12 +61,13 @@ Case translated_direction(Random& random)
     return {moved, random_direction(random)};
 }
 
+/// Now and then with a matrix that changes nothing.
 Case scaled_direction(Random& random)
 {
     glm::dmat4 const mirror = mirroring(random);
     glm::dmat4 const scaled = random_rotation(random) * scaling(random) * mirror;
     double const length = std::exp2(random.uniform(-6, 6));
-    return {scaled, random_direction(random) * length};
+    return {random.integer(0, 15) == 0 ? glm::dmat4(1) : scaled, random_direction(random) * length};
 }
 
 Case rigid_position(Random& random)

@@ -4,6 +4,7 @@
 
 #include <cxxabi.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -13,6 +14,7 @@
 namespace testat {
 namespace {
 constexpr std::size_t nm_memory = std::size_t(1) << 30;
+constexpr double nm_cpu_s = 10;
 
 struct Symbol {
     char type;  ///< as nm prints it
@@ -24,13 +26,24 @@ struct Symbols {
     bool cut = false;  ///< there are more
 };
 
+/// By somebody outside: no file that it reads does that to nm before its time is up.
+bool was_killed(Finished const& nm)
+{
+    int const signal = nm.signal != 0 ? nm.signal : nm.exit_code - 128;
+    return (signal == SIGKILL || signal == SIGTERM) && !nm.timed_out && nm.cpu_s < nm_cpu_s;
+}
+
 /// What nm cannot read has no symbols: it was a stranger's text that told the linker what to write.
 Symbols read_symbols(std::filesystem::path const& library, Cage& cage)
 {
-    Caged nm{{{"nm", "-D", "--defined-only", library.string()}, "/", {}, 10, 30, nm_memory, 1}};
+    Caged nm{{{"nm", "-D", "--defined-only", library.string()}, "/", {}, nm_cpu_s, 30, nm_memory, 1}};
     nm.sees = compiler_directories();
     nm.sees.push_back(library);
-    Finished const finished = cage.run(nm);
+    Finished finished = cage.run(nm);
+    if (was_killed(finished))
+        finished = cage.run(nm);
+    if (was_killed(finished))
+        throw std::runtime_error("somebody has killed nm, which reads the symbols of what was built");
     Symbols symbols;
     symbols.cut = finished.output.size() >= most_output;
     std::istringstream lines(finished.exit_code == 0 ? finished.output : "");

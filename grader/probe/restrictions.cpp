@@ -38,7 +38,7 @@ void allow_computing(SystemCallFilter& filter)
     std::uint32_t const allowed = SCMP_ACT_ALLOW;
     filter.add(allowed, {SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(lseek),
                          SCMP_SYS(close), SCMP_SYS(fstat)});
-    filter.add(allowed, {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(madvise), SCMP_SYS(futex), SCMP_SYS(getrandom)});
+    filter.add(allowed, {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(futex), SCMP_SYS(getrandom)});
     filter.add(allowed,
                {SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack),
                 SCMP_SYS(timer_create), SCMP_SYS(timer_settime), SCMP_SYS(timer_delete)});
@@ -51,7 +51,10 @@ void allow_computing(SystemCallFilter& filter)
     filter.add(allowed, {SCMP_SYS(mprotect)}, {low_bits_are(2, PROT_EXEC, 0)});
     // What is shared stays in memory when one page of it is kept, and is no longer counted.
     filter.add(allowed, {SCMP_SYS(mmap)}, {low_bits_are(2, PROT_EXEC, 0), low_bits_are(3, MAP_SHARED, 0)});
-    filter.add(allowed, {SCMP_SYS(mremap)}, {low_bits_are(3, MREMAP_FIXED, 0)});   // not over code
+    filter.add(allowed, {SCMP_SYS(mremap)}, {low_bits_are(3, MREMAP_FIXED, 0)});  // not over code
+    // Not what writes pages of files out: which are in memory would tell one child of another.
+    for (std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE, MADV_NOHUGEPAGE, MADV_POPULATE_WRITE})
+        filter.add(allowed, {SCMP_SYS(madvise)}, {low_bits_are(2, ~0u, advice)});
     filter.add(allowed, {SCMP_SYS(tgkill)}, {low_bits_are(0, ~0u, own_process)});  // abort() and the like
 }
 

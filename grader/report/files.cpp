@@ -64,6 +64,13 @@ void write_atomically(std::filesystem::path const& file, std::string const& byte
     }
 }
 
+Report read_if_there(std::filesystem::path const& file)
+{
+    std::ifstream in(file);
+    Report const document = in ? Report::parse(in, nullptr, false) : Report();
+    return document.is_object() ? document : Report::object();
+}
+
 Report read_report(std::filesystem::path const& file, std::filesystem::path const& schema)
 {
     nlohmann::json const plain = read_json(file);

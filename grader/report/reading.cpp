@@ -64,6 +64,8 @@ Report const* Reading::graded(std::string const& name) const
 
 double Reading::earned_by(std::string const& name) const
 {
+    if (auto const& official = report_.at("functions").at(name); official.contains("override"))
+        return official.at("earned").get<double>();
     auto const* const function = graded(name);
     return function == nullptr ? 0 : function->at("earned").get<double>();
 }
@@ -141,19 +143,24 @@ FirstFix Reading::fix_of_build() const
     return fix;
 }
 
+/// Whatever a tutor has given the function itself.
+bool Reading::costs_everything(std::string const& name) const
+{
+    auto const* const function = graded(name);
+    return function != nullptr && function->at("verdict") == "crashed" && applies("crashes");
+}
+
 /// A crash that costs everything goes before all; then what has been written before what has not, what a check has
 /// found before what only pictures show, and of these what costs most.
 std::optional<std::string> Reading::function_to_fix() const
 {
     auto const rank = [&](std::string const& name) {
-        auto const* const function = graded(name);
-        bool const crashed = function != nullptr && function->at("verdict") == "crashed" && applies("crashes");
         bool const has_hint = first_hint(report_.at("functions").at(name)) != nullptr;
-        return std::tuple(crashed, !is_missing(name), has_hint, lost_by(name));
+        return std::tuple(costs_everything(name), !is_missing(name), has_hint, lost_by(name));
     };
     std::optional<std::string> chosen;
     for (auto const& [name, function] : report_.at("functions").items())
-        if (lost_by(name) > 0 && (!chosen || rank(name) > rank(*chosen)))
+        if ((lost_by(name) > 0 || costs_everything(name)) && (!chosen || rank(name) > rank(*chosen)))
             chosen = name;
     return chosen;
 }
@@ -176,6 +183,23 @@ FirstFix Reading::fix_of(std::string const& name) const
         fix.what = check == nullptr ? both(pictures_are_wrong) : hint;
     }
     return fix;
+}
+
+std::vector<std::string> Reading::by_hand() const
+{
+    std::vector<std::string> lines;
+    auto const add = [&](std::string const& what, Report const& place) {
+        if (!place.contains("override"))
+            return;
+        auto const& given = place.at("override");
+        lines.push_back(fmt::format("{}: {:.2f} -> {:.2f}, {} ({}, {})", what, given.at("points_before").get<double>(),
+                                    place.at("earned").get<double>(), given.at("reason").get<std::string>(),
+                                    given.at("who").get<std::string>(), given.at("when").get<std::string>()));
+    };
+    add("total", report_.at("points"));
+    for (auto const& [name, function] : report_.at("functions").items())
+        add(name, function);
+    return lines;
 }
 
 std::optional<FirstFix> Reading::first_fix() const

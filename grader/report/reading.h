@@ -37,12 +37,16 @@ public:
     /// The part of it that does not depend on other functions of the file: how far the picture is off in isolation.
     std::string finding_alone(Report const& picture, Language language) const;
 
+    /// What tutors have changed, a line each: "wrap_repeat: 0.50 -> 1.00, reason (who, when)".
+    std::vector<std::string> by_hand() const;
+
     /// Nothing if there is nothing to fix.
     std::optional<FirstFix> first_fix() const;
 
 private:
     bool is_unwritten(Report const& picture) const;
     bool is_missing(std::string const& name) const;
+    bool costs_everything(std::string const& name) const;
     FirstFix fix_of_build() const;
     FirstFix fix_of(std::string const& name) const;
     std::optional<std::string> function_to_fix() const;

@@ -48,6 +48,9 @@ void write_file(std::filesystem::path const& file, std::string const& bytes);
 /// one in place when that fails.
 void write_atomically(std::filesystem::path const& file, std::string const& bytes);
 
+/// The JSON object in a file of our own; an empty one if there is none.
+Report read_if_there(std::filesystem::path const& file);
+
 /// Reads and validates a report.json. Throws std::runtime_error naming file and place.
 Report read_report(std::filesystem::path const& file, std::filesystem::path const& schema);
 }  // namespace testat

@@ -23,6 +23,7 @@ constexpr Term not_compiled{"was nicht kompiliert, bekommt 0 Punkte", "what does
 constexpr Term crashes{"was beim Erzeugen der Bilder abstürzt, bekommt 0 Punkte",
                        "what crashes while making the pictures gets 0 points"};
 constexpr Term without_rule{"ohne diese Regel", "without this rule"};
+constexpr Term changed_by_hand{"Von Hand geändert", "Changed by hand"};
 constexpr Term task_term{"Aufgabe", "Task"};
 constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
@@ -110,6 +111,8 @@ private:
                                     4));
         if (reading_.is_public_only())
             line("  {}", say(public_only));
+        for (auto const& change : reading_.by_hand())
+            line("  {}", wrap_words(fmt::format("{}: {}", say(changed_by_hand), text(change)), 4));
     }
 
     /// What does not compile is told below, place by place.

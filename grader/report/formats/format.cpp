@@ -1,11 +1,13 @@
 #include "report/formats/format.h"
 
-#include "report/printer.h"
+#include "report/reading.h"
 
 #include <algorithm>
 
 namespace testat {
 namespace {
+constexpr Term no_build{"Die Datei lässt sich nicht übersetzen oder binden; diese Funktion für sich:",
+                        "The file does not compile or link; this function by itself:"};
 constexpr Term input{"Eingabe", "input"};
 constexpr Term measured{"Ergebnis", "measured"};
 constexpr Term expected{"erwartet", "expected"};
@@ -60,6 +62,8 @@ std::string explain_check(Report const& check, Language language)
 std::string explain_function(Report const& report, std::string const& name, Language language)
 {
     Report const& function = report.at("functions").at(name);
+    if (Reading const reading(report); !reading.builds())
+        return fmt::format("{} {}", say(no_build, language), say(reading.word_for(name), language));
     std::string text;
     if (function.contains("mistake"))
         text = in_language(function.at("mistake"), language);

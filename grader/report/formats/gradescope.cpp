@@ -1,10 +1,11 @@
 #include "report/formats/format.h"
 
-#include "report/printer.h"
+#include "report/reading.h"
 
 namespace testat {
 namespace {
 constexpr Term build_failed{"Die Datei lässt sich nicht übersetzen oder binden", "The file does not compile or link"};
+constexpr Term by_hand{"Von Hand geändert", "Changed by hand"};
 constexpr Term not_gradable{"Nicht bewertbar; das liegt nicht an der Abgabe", "Not gradable; not the upload's fault"};
 
 std::string output_of(Report const& report, Language language)
@@ -16,6 +17,8 @@ std::string output_of(Report const& report, Language language)
         text +=
             fmt::format("\n{}:{}: {}: {}", diagnostic.at("file").get<std::string>(), diagnostic.at("line").get<int>(),
                         diagnostic.at("severity").get<std::string>(), diagnostic.at("message").get<std::string>());
+    for (auto const& change : Reading(report).by_hand())
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", say(by_hand, language), change);
     return text;
 }
 
@@ -26,7 +29,7 @@ Report test_of(Report const& report, std::string const& name, Language language)
             {"name_format", "text"},
             {"score", function.at("earned")},
             {"max_score", function.at("max")},
-            {"status", function.at("verdict") == "correct" ? "passed" : "failed"},
+            {"status", function.at("earned") == function.at("max") ? "passed" : "failed"},
             {"output", explain_function(report, name, language)},
             {"output_format", "text"},
             {"tags", Report::array({function.at("task")})},

@@ -8,6 +8,7 @@
 
 namespace testat {
 namespace {
+constexpr Term no_build{"Die Datei lässt sich nicht übersetzen oder binden", "The file does not compile or link"};
 constexpr Term not_written{"fehlt noch", "is not written yet"};
 constexpr Term pixels{"{} Pixel weichen ab, {} dürfen", "{} pixels differ, {} may"};
 
@@ -36,6 +37,8 @@ public:
         Report const& report = named.report;
         if (report.at("status") != "graded")
             return fail(test("Testat.Grades"), "error", report.at("error"));
+        folder_ = many_ && !named.folder.empty() ? named.folder.string() + "/" : "";
+        builds_ = report.at("build").at("ok").get<bool>();
         add_build(report.at("build"));
         for (auto const& [name, function] : report.at("functions").items())
             add_function(name, function);
@@ -92,7 +95,9 @@ private:
         bool const ended_badly = verdict == "crashed" || verdict == "timed_out";
         for (auto const& check : function.at("checks")) {
             pugi::xml_node node = test(check.at("name"));
-            if (verdict == "missing")
+            if (!builds_)
+                fail(node, "failure", say(no_build, language_));
+            else if (verdict == "missing")
                 fail(node, "failure", name + " " + say(not_written, language_));
             else if (!check.at("passed").get<bool>())
                 fail(node, ended_badly ? "error" : "failure", explain_check(check, language_));
@@ -111,12 +116,14 @@ private:
         for (char const* file : {"submitted_file", "expected_file", "difference_file"})
             if (picture.at(file).is_string())
                 node.append_child("system-out").text() =
-                    fmt::format("[[ATTACHMENT|{}]]", picture.at(file).get<std::string>()).c_str();
+                    fmt::format("[[ATTACHMENT|{}{}]]", folder_, picture.at(file).get<std::string>()).c_str();
     }
 
     bool many_;
     Language language_;
     std::string prefix_;
+    std::string folder_;  ///< where the pictures' folder is
+    bool builds_ = true;
     pugi::xml_document document_;
     pugi::xml_node root_;
     pugi::xml_node suite_;

@@ -31,7 +31,7 @@ std::vector<Override> read(std::string const& text)
 TEST(Overrides, ChangeFunctionTaskAndSum)
 {
     Report const before = example_report();
-    Report const after = apply({half}, "anna", before);
+    Report const after = apply({half}, {"anna"}, before);
     EXPECT_EQ(after.at("functions").at("wrap_clamp").at("earned"), 0.5);
     EXPECT_EQ(after.at("functions").at("wrap_clamp").at("override").at("points_before"), 1.0);
     EXPECT_EQ(after.at("tasks").at(0).at("earned").get<double>(),
@@ -42,25 +42,26 @@ TEST(Overrides, ChangeFunctionTaskAndSum)
 
 TEST(Overrides, KeepTheReportsSchema)
 {
-    Report const after = apply({half, total}, "anna", example_report());
+    Report const after = apply({half, total}, {"anna"}, example_report());
     auto const schema = installation().rubric.parent_path() / "report.schema.json";
     EXPECT_NO_THROW(validate_json(nlohmann::json::parse(to_text(after)), schema, "report"));
 }
 
 TEST(Overrides, LeaveOthersAlone)
 {
-    EXPECT_EQ(apply({half}, "bert", example_report()), example_report());
+    EXPECT_EQ(apply({half}, {"bert"}, example_report()), example_report());
+    EXPECT_EQ(apply({half}, {"bert", "anna"}, example_report()), apply({half}, {"anna"}, example_report()));
 }
 
 TEST(Overrides, OfAFunctionStayWithinTheSheetsRules)
 {
-    Report const after = apply({half}, "anna", example_report(false));
+    Report const after = apply({half}, {"anna"}, example_report(false));
     EXPECT_EQ(after.at("points").at("earned"), 0.0);
 }
 
 TEST(Overrides, OfTheTotalHaveTheLastWord)
 {
-    Report const after = apply({total, half}, "anna", example_report(false));
+    Report const after = apply({total, half}, {"anna"}, example_report(false));
     EXPECT_EQ(after.at("points").at("earned"), 1.25);
     EXPECT_TRUE(after.at("points").at("passed_60_percent"));
     EXPECT_EQ(after.at("points").at("override").at("who"), "Tutor");
@@ -70,10 +71,10 @@ TEST(Overrides, CannotGiveMoreThanThereIs)
 {
     Override much = half;
     much.points = 1.5;
-    EXPECT_THROW(apply({much}, "anna", example_report()), std::invalid_argument);
+    EXPECT_THROW(apply({much}, {"anna"}, example_report()), std::invalid_argument);
     Override unknown = half;
     unknown.function = "wrap_around";
-    EXPECT_THROW(apply({unknown}, "anna", example_report()), std::invalid_argument);
+    EXPECT_THROW(apply({unknown}, {"anna"}, example_report()), std::invalid_argument);
 }
 
 TEST(Overrides, AreReadFromAList)

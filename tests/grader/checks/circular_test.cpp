@@ -20,8 +20,21 @@ FunctionSet set_of(std::vector<Function> const& functions)
     return set;
 }
 
+/// What each function answers alone, in no time.
+Observations answered(Questions const& questions)
+{
+    Observations observations;
+    for (auto const& group : questions.request.groups) {
+        Answers answers{group, {}, {}};
+        answers.status.ended = Ended::answered;
+        observations.groups.emplace(group.name, answers);
+    }
+    return observations;
+}
+
 /// Asks one check of each, and has those crash that the rule names.
-FunctionSet find(std::vector<Function> const& functions, bool (*crashes)(Function, FunctionSet from_upload))
+FunctionSet find(std::vector<Function> const& functions, bool (*crashes)(Function, FunctionSet from_upload),
+                 Ended ended = Ended::signal, double cpu_s = 0)
 {
     Questions questions;
     for (auto const& check : unit_checks())
@@ -31,11 +44,12 @@ FunctionSet find(std::vector<Function> const& functions, bool (*crashes)(Functio
             group.under_test = check.function;
             questions.request.groups.push_back(group);
         }
-    return find_circular(set_of(functions), questions, [&](Request const& request) {
+    return find_circular(set_of(functions), answered(questions), questions, [&](Request const& request) {
         Observations observations;
         for (auto const& group : request.groups) {
             Answers answers{group, {}, {}};
-            answers.status.ended = Ended::signal;
+            answers.status.ended = ended;
+            answers.status.cpu_s = cpu_s;
             if (crashes(group.under_test, group.from_upload))
                 observations.groups.emplace(group.name, answers);
         }
@@ -51,6 +65,19 @@ TEST(Circular, AreTwoThatAskEachOther)
     };
     EXPECT_EQ(find({clamp, repeat, nearest}, both), set_of({clamp, repeat}));
     EXPECT_EQ(find({clamp, nearest}, both), FunctionSet());
+}
+
+TEST(Circular, AreTwoThatGoRoundForEver)
+{
+    auto const both = [](Function, FunctionSet from) { return from.has(clamp) && from.has(repeat); };
+    EXPECT_EQ(find({clamp, repeat}, both, Ended::timed_out, 5), set_of({clamp, repeat}));
+}
+
+TEST(Circular, IsNotWhatNoTimeIsLeftFor)
+{
+    auto const both = [](Function, FunctionSet from) { return from.has(clamp) && from.has(repeat); };
+    EXPECT_EQ(find({clamp, repeat}, both, Ended::timed_out, 0), FunctionSet());
+    EXPECT_EQ(find({clamp, repeat}, both, Ended::lost), FunctionSet());
 }
 
 TEST(Circular, AreThreeInARing)

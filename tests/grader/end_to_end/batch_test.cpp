@@ -100,6 +100,23 @@ TEST_F(Batch, DoesOnlyWhatHasChanged)
     EXPECT_EQ(count(run_batch().err, "Grading "), 1u);
 }
 
+TEST_F(Batch, WritesOnlyWhatHasChanged)
+{
+    auto const written = [&](char const* student) {
+        return fs::last_write_time(out / "reports" / student / "report.html");
+    };
+    run_batch();
+    auto const anna = written("anna");
+    auto const bert = written("bert");
+    fs::remove(out / "reports" / "carl" / "report.html");
+    write_file(out / "overrides.json", R"([{"student": "bert", "function": "total", "points": 12, "reason": "oral",
+                                           "who": "Tutor", "when": "2026-11-24"}])");
+    run_batch();
+    EXPECT_EQ(written("anna"), anna);
+    EXPECT_NE(written("bert"), bert);
+    EXPECT_TRUE(fs::exists(out / "reports" / "carl" / "report.html"));
+}
+
 TEST_F(Batch, GoesOnAfterBeingKilled)
 {
     run_batch();

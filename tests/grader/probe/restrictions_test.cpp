@@ -103,6 +103,11 @@ Hole const holes[] = {
      }},
     {"SharedMemory",
      [] { return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) != MAP_FAILED; }},
+    {"PagesWrittenOut",
+     [] {
+         static char page[1 << 16];
+         return madvise(page, sizeof page, MADV_PAGEOUT) == 0 || errno != EPERM;
+     }},
     {"MemoryFiles", [] { return memfd_create("x", 0) >= 0; }},
     {"Pipes",
      [] {
