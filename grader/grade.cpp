@@ -46,6 +46,8 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     CheckResults results = check(units, questions, rubric);
     Request submitted = ask_submitted(rubric, results, build);
     ask_again(submitted, units, questions.request.textures);
+    FunctionSet const right_alone = results.passing() & build.written();
+    ask_in_company(submitted, right_alone, units, questions);
     Observations const again = answers("observe: as submitted", submitted);
     judge_submitted(results, rubric, build, again, where);
     Request isolated = ask_isolated(rubric, results, build);
@@ -56,9 +58,10 @@ Report run_pipeline(Submission const& submission, Rubric const& rubric, GradeOpt
     results.remarks = find_remarks(units, again, differences);
     Observations const repaired = answers("observe: explain", ask_repaired(results, build.written()));
     explain(results, build.written(), repaired, where);
-    FunctionSet const right_alone = unexplained(results, build.written(), repaired, where);
+    FunctionSet const suspicious =
+        fail_in_company(again, units, questions) ? right_alone : unexplained(results, build.written(), repaired, where);
     auto const together = [&](Request const& request) { return answers("observe: together", request); };
-    take_credit(results, find_circular(right_alone, units, questions, together));
+    take_credit(results, find_circular(suspicious, units, questions, together));
     Grade const grade = score(results, build, rubric, options.lenient);
     stages.end("check");
     write_pictures(results, options.out, where.envelopes);

@@ -44,14 +44,26 @@ bool fails(UnitCheck const& check, Answers const& answers, Answers const* alone,
     }
 }
 
-FunctionSet failing(Observations const& observations, Observations const& alone, Textures const& textures)
+/// `prefix`: of the groups' names.
+FunctionSet failing(Observations const& observations, Observations const& alone, Textures const& textures,
+                    std::string const& prefix = "")
 {
     FunctionSet found;
     for (auto const& check : unit_checks())
-        if (auto const* answers = observations.find(check.name);
+        if (auto const* answers = observations.find(prefix + check.name);
             answers && fails(check, *answers, alone.find(check.name), textures))
             found = found.with(check.function);
     return found;
+}
+
+constexpr char in_company[] = "in_company/";
+
+FunctionSet quick(FunctionSet functions, Observations const& alone)
+{
+    for (auto const& [name, answers] : alone.groups)
+        if (!(answers.status.cpu_s < quick_s))
+            functions = functions.without(answers.group.under_test);
+    return functions;
 }
 
 std::string names(FunctionSet functions)
@@ -63,6 +75,22 @@ std::string names(FunctionSet functions)
     return list;
 }
 }  // namespace
+
+void ask_in_company(Request& request, FunctionSet functions, Observations const& alone, Questions const& questions)
+{
+    Request const together = ask_together(questions, quick(functions, alone));
+    for (Group group : together.groups) {
+        group.name = in_company + group.name;
+        request.groups.push_back(std::move(group));
+    }
+    if (!together.groups.empty())
+        request.textures = questions.request.textures;
+}
+
+bool fail_in_company(Observations const& observations, Observations const& alone, Questions const& questions)
+{
+    return failing(observations, alone, questions.request.textures, in_company) != FunctionSet();
+}
 
 FunctionSet find_circular(FunctionSet functions, Observations const& alone, Questions const& questions, Ask const& ask)
 {

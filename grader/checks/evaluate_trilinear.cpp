@@ -67,7 +67,7 @@ double magnified(Random& random, int i)
     return i % 16 == 0 ? 1 : std::exp2(random.uniform(-12, 0));
 }
 
-/// The first four exactly in the corners of the unit square; now and then in mode zero, around it.
+/// The first four exactly in the corners of the unit square.
 Group ask_magnified(Random& random, Textures const& textures)
 {
     std::vector<LookupQuestion> questions;
@@ -76,9 +76,6 @@ Group ask_magnified(Random& random, Textures const& textures)
             ask_footprint(random, textures, TestTexture::noise_square, Place::inside, glm::dvec2(magnified(random, i)));
         if (i < 4)
             store(glm::dvec2(i % 2, i / 2), q.uv);
-        if (i % 16 == 4)
-            q = ask_footprint(random, textures, TestTexture::stripes_zero, Place::anywhere,
-                              glm::dvec2(magnified(random, i)));
         questions.push_back(q);
     }
     return make_group(Kind::lookup, questions);

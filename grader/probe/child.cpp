@@ -83,9 +83,11 @@ void reset_arithmetic()
 void* load(ChildTask const& task)
 {
     FunctionSet const wanted = task.group.from_upload;
-    if (wanted != FunctionSet::all())
-        fill_slots(load_library(reference_for(wanted, task.libraries.references)),
-                   FunctionSet(FunctionSet::all().bits() & ~wanted.bits()));
+    if (wanted != FunctionSet::all()) {
+        void* const reference = load_library(reference_for(wanted, task.libraries.references));
+        remove_bodies(reference, wanted);
+        fill_slots(reference, FunctionSet(FunctionSet::all().bits() & ~wanted.bits()));
+    }
     task.restrictions.before_loading(task.group.kind == Kind::rendering);
     void* const upload = load_library(task.libraries.upload);
     task.restrictions.after_loading();

@@ -16,6 +16,10 @@ void set_slot(Function function, Code code);
 /// words.
 void* load_library(std::string const& path);
 
+/// Fills the bodies of `functions` in `library` with traps: nobody calls them in this process, however they find them.
+/// Throws std::system_error.
+void remove_bodies(void* library, FunctionSet functions);
+
 /// Points the slots of `functions` at what `library` defines. A function that it does not define keeps its slot.
 void fill_slots(void* library, FunctionSet functions);
 }  // namespace testat

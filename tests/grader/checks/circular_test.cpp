@@ -105,6 +105,38 @@ TEST(Circular, IsNotWhatCallsAMistakeThatNoCheckShows)
     EXPECT_EQ(find({clamp, nearest, bilinear}, callers), FunctionSet());
 }
 
+TEST(Circular, AreAskedInCompanyUnlessTheyAreSlow)
+{
+    Questions questions;
+    for (Function f : {clamp, repeat, nearest}) {
+        Group group;
+        group.name = std::string(info(f).name);
+        group.under_test = f;
+        questions.request.groups.push_back(group);
+    }
+    Observations alone = answered(questions);
+    alone.groups.at("evaluate_nearest").status.cpu_s = 2;
+    Request request;
+    ask_in_company(request, set_of({clamp, repeat, nearest}), alone, questions);
+    ASSERT_EQ(request.groups.size(), 2u);
+    for (auto const& group : request.groups)
+        EXPECT_EQ(group.from_upload, set_of({clamp, repeat})) << group.name;
+    Request nothing;
+    ask_in_company(nothing, set_of({nearest}), alone, questions);
+    EXPECT_TRUE(nothing.groups.empty());
+}
+
+TEST(Circular, ShowInCompany)
+{
+    UnitCheck const& check = unit_checks().front();
+    Observations observations;
+    EXPECT_FALSE(fail_in_company(observations, {}, {}));
+    Answers crashed;
+    crashed.status.ended = Ended::signal;
+    observations.groups.emplace("in_company/" + check.name, crashed);
+    EXPECT_TRUE(fail_in_company(observations, {}, {}));
+}
+
 TEST(Circular, EarnNothing)
 {
     CheckResults results;
