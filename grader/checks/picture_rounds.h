@@ -14,9 +14,9 @@ void judge_submitted(CheckResults& results, Rubric const& rubric, Build const& b
                      Installation const& where);
 
 /// Each picture for each of its functions, the others from the reference. A function that passes all its unit checks is
-/// right in isolation, too, if the picture is right as submitted, or once all functions that fail one (the suspects) are
-/// replaced: the first time, only the latter picture is asked for in the place of all theirs, the second time, what is
-/// still open where that one is wrong.
+/// right in isolation, too, if the picture is right as submitted, or once all functions that fail one (the suspects)
+/// are replaced: the first time, only the latter picture is asked for in the place of all theirs, the second time, what
+/// is still open where that one is wrong.
 Request ask_isolated(Rubric const& rubric, CheckResults const& results, Build const& build);
 
 /// Fills in what the pictures say of each function.
