@@ -40,7 +40,7 @@ for name in $("$build/perf_counts" --list); do
 done >"$folder/counts"
 result=0
 awk '
-    NR == FNR { before[$1] = $2; next }
+    FILENAME == ARGV[1] { before[$1] = $2; next }
     {
         change = before[$1] ? 100 * ($2 / before[$1] - 1) : 0
         slower = change > 3
