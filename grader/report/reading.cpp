@@ -117,7 +117,7 @@ std::string Reading::finding_alone(Report const& picture, Language language) con
 
 std::string Reading::finding(Report const& picture, Language language) const
 {
-    std::string const alone = finding_alone(picture, language);
+    std::string alone = finding_alone(picture, language);
     if (!picture.contains("explained_by"))
         return alone;
     return fmt::format("{} {}{}{}", say(differs, language), join(picture.at("explained_by")), alone.empty() ? "" : "; ",

@@ -191,7 +191,7 @@ std::vector<Finding> diagnose(Factors const& factors)
         return {};
     if (is_right_in_degrees(factors))
         return {radians};
-    std::vector<Finding> const whole = diagnose(product(factors));
+    std::vector<Finding> whole = diagnose(product(factors));
     if (factors.size() < 2 || whole.at(0).id == "inverse")
         return whole;
     if (auto const order = changed_order(factors))

@@ -13,7 +13,7 @@ constexpr double look_again_s = 0.03;
 
 std::filesystem::path folder_of(std::filesystem::path const& file)
 {
-    auto const folder = std::filesystem::absolute(file).parent_path();
+    auto folder = std::filesystem::absolute(file).parent_path();
     if (!std::filesystem::is_directory(folder))
         throw std::invalid_argument(folder.string() + ": there is no such folder");
     return folder;

@@ -37,7 +37,7 @@ public:
             if (auto const known = made_.find(png); known != made_.end())
                 return known->second;
         }
-        std::string const preview = make(png);
+        std::string preview = make(png);
         std::lock_guard const lock(mutex_);
         if (made_.size() < most)
             made_.emplace(png, preview);
