@@ -9,7 +9,7 @@ void Written::update(std::string const& output, bool is_there, std::string const
                      std::function<void()> const& write)
 {
     std::string const hash = sha256(made_from);
-    bool const is_new = !is_there || before_.value(output, "") != hash;
+    bool const is_new = !is_there || before_.value(output, Report()) != hash;
     if (is_new) {
         forget();
         write();

@@ -33,7 +33,9 @@ TEST(Written, IsEverythingWhereTheListIsDamaged)
     TemporaryDirectory const place;
     auto const file = place.path() / "written.json";
     written_by(file, "1", "1", true);
-    write_file(file, "[]");
-    EXPECT_EQ(written_by(file, "1", "1", true), "ab");
+    for (char const* damaged : {"[]", "{", R"({"a": 1, "b": []})"}) {
+        write_file(file, damaged);
+        EXPECT_EQ(written_by(file, "1", "1", true), "ab") << damaged;
+    }
 }
 }  // namespace testat
