@@ -1,5 +1,6 @@
 #include "batch/batch.h"
 #include "report/formats/csv_table.h"
+#include "report/reading.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -13,20 +14,7 @@ std::string date(std::optional<std::int64_t> const& seconds)
 
 std::string overrides_in(Report const& report)
 {
-    std::string all;
-    auto const add = [&](std::string const& what, Report const& place) {
-        if (place.contains("override"))
-            all += fmt::format("{}{}: {} ({}, {})", all.empty() ? "" : "; ", what,
-                               place.at("override").at("reason").get<std::string>(),
-                               place.at("override").at("who").get<std::string>(),
-                               place.at("override").at("when").get<std::string>());
-    };
-    if (report.at("status") != "graded")
-        return all;
-    add("total", report.at("points"));
-    for (auto const& [name, function] : report.at("functions").items())
-        add(name, function);
-    return all;
+    return report.at("status") == "graded" ? fmt::format("{}", fmt::join(Reading(report).by_hand(), "; ")) : "";
 }
 }  // namespace
 

@@ -163,7 +163,7 @@ TEST_F(Batch, KeepsTheTutorsWord)
     EXPECT_EQ(run_batch().exit_code, 0);
     EXPECT_EQ(report_of("anna").at("points").at("earned"), 12.0);
     EXPECT_EQ(report_of("carl").at("points").at("earned"), 0.0);
-    EXPECT_TRUE(contains(grades(), "total: oral (Tutor, 2026-11-24)"));
+    EXPECT_TRUE(contains(grades(), "total: 0.00 -> 12.00, oral (Tutor, 2026-11-24)"));
     EXPECT_EQ(run_batch().exit_code, 0);
     EXPECT_EQ(report_of("anna").at("points").at("earned"), 12.0);
 }
